@@ -109,6 +109,7 @@ void CountTests(vtkOpenGLRenderWindow* window, ParticleCloud& cloud, const glm::
   std::vector<unsigned int> passed;
   std::vector<ParticleCloud::Finding> found;
   std::vector<ParticleCloud::Finding> early;
+  Check(cloud.Build(window, ParticleCulling::Maxima, why), why);
   Check(cloud.Build(window, ParticleCulling::MinimaFirst, why), why);
   Check(cloud.CountFragments(eyeToClip, false, fragments, why), why);
   Check(cloud.CountFragments(eyeToClip, true, passed, why), why);

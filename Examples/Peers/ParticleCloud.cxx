@@ -48,15 +48,12 @@ bool ParticleCloud::Build(vtkOpenGLRenderWindow* window, ParticleCulling culling
   this->Window = window;
   // The paper needs the first few levels for sprites only. Boxes may have any size.
   const int levels = this->IsOfBoxes() ? 99 : SpriteLevel + 1;
-  bool built = this->Maxima->Build(window, 1, levels, vtkNBufferExtremum::Maximum);
-  why = this->Maxima->GetError();
-  if (built && culling == ParticleCulling::MinimaFirst)
-  {
-    built = this->Minima->Build(window, 1, levels, vtkNBufferExtremum::Minimum);
-    why = this->Minima->GetError();
-  }
-  this->Size[0] = this->Maxima->GetWidth();
-  this->Size[1] = this->Maxima->GetHeight();
+  vtkNBufferTexture* texture = this->GetTexture(culling);
+  texture->SetBothExtrema(culling == ParticleCulling::MinimaFirst);
+  const bool built = texture->Build(window, 1, levels, vtkNBufferExtremum::Maximum);
+  why = texture->GetError();
+  this->Size[0] = texture->GetWidth();
+  this->Size[1] = texture->GetHeight();
   return built;
 }
 
@@ -101,22 +98,23 @@ bool ParticleCloud::WithProgram(const glm::dmat4& eyeToClip, ParticleCulling cul
   vtkNBufferGL::SetMatrix(program, "eyeToClip", eyeToClip);
   program->SetUniform2i("shape.size", this->Size);
   program->SetUniformi("shape.factor", 1);
-  program->SetUniformi("shape.levels", this->Maxima->GetNumberOfLevels());
+  vtkNBufferTexture* texture = this->GetTexture(culling);
+  program->SetUniformi("shape.levels", texture->GetNumberOfLevels());
+  program->SetUniformi("shape.minima", texture->GetBothExtrema());
   program->SetUniformi("spriteLevel", this->IsOfBoxes() ? -1 : SpriteLevel);
   program->SetUniformf("boxSide", this->BoxSide);
   program->SetUniformf("slack", Slack);
   program->SetUniformi("culling", static_cast<int>(culling));
   program->SetUniformi("report", report);
   program->SetUniformi("count", side);
-  const char* const samplers[] = { "maximaEven", "maximaOdd", "minimaEven", "minimaOdd" };
+  program->SetUniformi("even", 1);
+  program->SetUniformi("odd", 2);
   const auto bind = [&](bool isBound)
   {
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 2; ++i)
     {
-      const vtkNBufferTexture* texture = i < 2 ? this->Maxima : this->Minima;
       glActiveTexture(GL_TEXTURE1 + i);
-      glBindTexture(GL_TEXTURE_2D_ARRAY, isBound ? texture->GetHandle(i % 2) : 0);
-      program->SetUniformi(samplers[i], 1 + i);
+      glBindTexture(GL_TEXTURE_2D_ARRAY, isBound ? texture->GetHandle(i) : 0);
     }
     glActiveTexture(GL_TEXTURE0);
   };
@@ -241,7 +239,7 @@ bool ParticleCloud::Find(const glm::dmat4& eyeToClip, ParticleCulling culling,
 void ParticleCloud::Release()
 {
   this->Maxima->ReleaseGraphicsResources(this->Window);
-  this->Minima->ReleaseGraphicsResources(this->Window);
+  this->Extrema->ReleaseGraphicsResources(this->Window);
   this->VertexArray.Delete();
   this->Vertices.Delete();
   this->Indices.Delete();

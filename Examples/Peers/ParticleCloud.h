@@ -7,9 +7,8 @@
  * X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3), 2005,
  * sections 3.2 and 4.3: the scene is drawn, the N-buffer of its depth is built, and a vertex
  * program moves hidden particles out of the clip volume. It queries by vtkNBufferQuery.glsl: one
- * lookup for a sprite of 16 x 16 pixels, four squares for a box. Optionally a lookup in an N-buffer
- * of minima accepts particles before everything else first (M. Turitzin, "Hierarchical Depth
- * Buffers", 2020).
+ * lookup for a sprite of 16 x 16 pixels, four squares for a box. Optionally a lookup of minima
+ * first accepts particles before everything else (M. Turitzin, "Hierarchical Depth Buffers", 2020).
  *
  * Sprites begin where a pixel begins, and are drawn where they are with and without culling.
  * Particles write no depth, so that they do not hide each other.
@@ -57,8 +56,9 @@ public:
   /// Sets the particles, relative to the eye. A `boxSide` above 0 makes them boxes of that side.
   void Set(const std::vector<glm::vec3>& centers, float boxSide);
 
-  /// Builds the levels of the framebuffer that is bound, which all functions below draw into. They
-  /// return false, with the cause in `why`, on an error of OpenGL, and restore its state.
+  /// Builds the levels that this kind of culling needs, of the framebuffer that is bound, which all
+  /// functions below draw into. They return false, with the cause in `why`, on an error of OpenGL,
+  /// and restore its state.
   bool Build(vtkOpenGLRenderWindow* window, ParticleCulling culling, std::string& why);
 
   /// Draws all particles. Does not wait for the device.
@@ -79,6 +79,10 @@ public:
 private:
   int GetCount() const { return static_cast<int>(this->Centers.size()); }
   bool IsOfBoxes() const { return this->BoxSide > 0.0f; }
+  vtkNBufferTexture* GetTexture(ParticleCulling culling)
+  {
+    return culling == ParticleCulling::MinimaFirst ? this->Extrema : this->Maxima;
+  }
   template <typename Function>
   bool WithProgram(const glm::dmat4& eyeToClip, ParticleCulling culling, int report,
     Function&& function, std::string& why);
@@ -89,7 +93,7 @@ private:
   std::vector<glm::vec3> Centers;
   float BoxSide = 0.0f;
   vtkNew<vtkNBufferTexture> Maxima;
-  vtkNew<vtkNBufferTexture> Minima;
+  vtkNew<vtkNBufferTexture> Extrema; ///< Maxima and minima.
   vtkSmartPointer<vtkShaderProgram> Program;
   vtkNBufferGL::VertexArray VertexArray;
   vtkNBufferGL::Buffer Vertices;

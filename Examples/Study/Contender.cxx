@@ -2,34 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contender.h"
 
-#include "PositionedLevels.h"
-
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
 
 #include <algorithm>
-#include <type_traits>
+#include <limits>
 
 namespace NBufferStudy
 {
 namespace
 {
-float GetDepth(float depth)
-{
-  return depth;
-}
-
-float GetDepth(const PositionedDepth& texel)
-{
-  return texel.Depth;
-}
-
-/// A DepthStructure or PositionedLevels.
-template <typename Structure>
 class StructureContender : public Contender
 {
 public:
-  StructureContender(const std::string& name, const Structure& levels)
+  StructureContender(const std::string& name, const DepthStructure& levels)
     : Contender(name)
     , Levels(levels)
   {
@@ -43,7 +29,7 @@ public:
   bool IsHidden(const DepthFrame&, const DepthBox& box, ContestCounts& counts) override
   {
     ++counts.Queries;
-    return box.Screen.Nearest > GetDepth(this->Levels.Query(box.Screen.Pixels, counts.Lookups));
+    return box.Screen.Nearest > this->Levels.Query(box.Screen.Pixels, counts.Lookups);
   }
 
   std::size_t GetNumberOfTexels() const override { return this->Levels.GetNumberOfTexels(); }
@@ -51,16 +37,56 @@ public:
 
   long long GetCoveredArea(const DepthBox& box) const override
   {
-    if constexpr (std::is_same_v<Structure, DepthStructure>)
-    {
-      const vtkNBufferRectangle covered = this->Levels.GetCovered(box.Screen.Pixels);
-      return static_cast<long long>(covered.GetWidth()) * covered.GetHeight();
-    }
-    return Contender::GetCoveredArea(box);
+    const vtkNBufferRectangle covered = this->Levels.GetCovered(box.Screen.Pixels);
+    return static_cast<long long>(covered.GetWidth()) * covered.GetHeight();
   }
 
 private:
-  Structure Levels;
+  DepthStructure Levels;
+};
+
+/// The module's levels without the pixels, and the place that keeps a box visible.
+class PositionContender : public Contender
+{
+public:
+  explicit PositionContender(int factor)
+    : Contender("squares x4 1/" + std::to_string(factor) + " with positions")
+    , Factor(factor)
+  {
+  }
+
+  void Build(const DepthFrame& frame) override
+  {
+    this->Levels.BuildBase(
+      frame.Depth.data(), frame.Width, frame.Height, this->Factor, vtkNBufferExtremum::Maximum);
+    this->Levels.BuildLevels(std::numeric_limits<int>::max());
+  }
+
+  bool IsHidden(const DepthFrame&, const DepthBox& box, ContestCounts& counts) override
+  {
+    const vtkNBufferCover cover = vtkNBufferMath::GetCoverOfFour(
+      vtkNBufferMath::GetBaseRectangle(box.Screen.Pixels, this->Factor));
+    ++counts.Queries;
+    counts.Lookups += cover.Count;
+    const bool hidden = box.Screen.Nearest > this->Levels.Query(cover);
+    if (!hidden)
+    {
+      this->Place = this->Levels.FindPixels(cover);
+    }
+    return hidden;
+  }
+
+  std::size_t GetNumberOfTexels() const override
+  {
+    return static_cast<std::size_t>(this->Levels.GetWidth()) * this->Levels.GetHeight() *
+      this->Levels.GetNumberOfLevels();
+  }
+  std::size_t GetMemory() const override { return this->GetNumberOfTexels() * sizeof(float); }
+
+private:
+  int Factor;
+  vtkNBufferLevels Levels;
+  vtkNBufferRectangle Place; ///< The place of the last box that is not hidden.
 };
 
 std::string GetModuleName(int factor, bool testPixels)
@@ -131,14 +157,12 @@ private:
 
 ContenderPointer MakeFamilyContender(const DepthFamily& family)
 {
-  return std::make_unique<StructureContender<DepthStructure>>(
-    family.GetName(), DepthStructure(family));
+  return std::make_unique<StructureContender>(family.GetName(), DepthStructure(family));
 }
 
 ContenderPointer MakePositionContender(int factor)
 {
-  return std::make_unique<StructureContender<PositionedLevels>>(
-    "squares x4 1/" + std::to_string(factor) + " with positions", PositionedLevels(factor));
+  return std::make_unique<PositionContender>(factor);
 }
 
 ContenderPointer MakeModuleContender(int factor, bool testPixels)

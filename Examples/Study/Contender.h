@@ -5,7 +5,7 @@
  * @brief Ways to find which boxes of a frame are hidden, all behind one interface.
  *
  *     family    a DepthStructure
- *     position  PositionedLevels, which also find the pixel that keeps a box visible
+ *     position  the module's levels alone, and the place that keeps a box visible
  *     module    the test of vtkNBufferCuller with the same settings; it builds only the levels that
  *               it needs, with or without the second test of the pixels
  *     pixels    the test of each pixel in the outline of the box, as a hardware occlusion query

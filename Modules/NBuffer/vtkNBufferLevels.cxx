@@ -150,6 +150,36 @@ int vtkNBufferLevels::BuildLevels(int count)
   return levels - first;
 }
 
+vtkNBufferRectangle vtkNBufferLevels::FindPixels(const vtkNBufferCover& cover) const
+{
+  const float extremum = this->Query(cover);
+  // The squares of four texels of a level make up the square of one of the level above.
+  vtkNBufferCover texels = cover;
+  int x = 0;
+  int y = 0;
+  for (;;)
+  {
+    int i = 0;
+    while (this->GetTexel(texels.Level, texels.X[i], texels.Y[i]) != extremum)
+    {
+      ++i;
+    }
+    x = texels.X[i];
+    y = texels.Y[i];
+    if (texels.Level == 0)
+    {
+      break;
+    }
+    --texels.Level;
+    const int right = std::min(x + (1 << texels.Level), this->Width - 1);
+    const int top = std::min(y + (1 << texels.Level), this->Height - 1);
+    texels = { texels.Level, 4, { x, right, x, right }, { y, y, top, top } };
+  }
+  const int f = this->Factor;
+  return vtkNBufferRectangle{ x * f, y * f, (x + 1) * f, (y + 1) * f }.GetIntersection(
+    { 0, 0, this->PixelWidth, this->PixelHeight });
+}
+
 void vtkNBufferLevels::Clear()
 {
   this->NumberOfLevels = 0;

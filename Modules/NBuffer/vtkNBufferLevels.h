@@ -93,6 +93,14 @@ public:
       [maximum](float a, float b) { return maximum == (b > a) ? b : a; });
   }
 
+  /**
+   * Where the extremum is that Query() finds: the pixels of a texel of level 0 that has it, at most
+   * GetFactor() x GetFactor(). The paper (section 2) stores places next to the depths; here a texel
+   * of each lower level is found that has the same value, so that the places need neither memory
+   * nor time while levels are built. Reads at most four texels per level.
+   */
+  vtkNBufferRectangle FindPixels(const vtkNBufferCover& cover) const;
+
 private:
   std::size_t GetLevelOffset(int level) const
   {

@@ -15,10 +15,10 @@
 //     }
 //
 // Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth), as
-// Build() was called for; an application that needs both builds two. NBufferFarthestOfSquare(),
-// NBufferFarthest() and NBufferHides() read maxima; NBufferNearestInOne() and NBufferShows() read
-// minima. The depths that they find are those of vtkNBufferLevels::Query() for the same levels, bit
-// for bit.
+// Build() was called for, or both (vtkNBufferTexture::SetBothExtrema()). NBufferFarthestOfSquare(),
+// NBufferFarthest(), NBufferFarthestPixels() and NBufferHides() read maxima; NBufferNearestInOne()
+// and NBufferShows() read minima. The depths that they find are those of vtkNBufferLevels::Query(),
+// and the pixels those of vtkNBufferLevels::FindPixels(), for the same levels, bit for bit.
 //
 // Units. Rectangles are half-open, (x0, y0, x1, y1) with x0 <= x < x1 and y upwards, in pixels that
 // are counted from the lower left corner of the rectangle that Build() was called for. Depths are
@@ -34,7 +34,8 @@
 // (docs/precision.md says how far the depth of a fragment may differ from that of its vertices).
 //
 // Cost. One texelFetch, or at most four, whatever the size of the rectangle, and some dozens of
-// integer operations; no loop has more than four turns, and no derivatives are used.
+// integer operations; no loop has more than four turns, and no derivatives are used. Only
+// NBufferFarthestPixels() fetches up to four texels of each level.
 //
 // Sources: X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3),
 // 2005, sections 2 and 3.2; for NBufferShows() M. Turitzin, "Hierarchical Depth Buffers", 2020.
@@ -48,14 +49,23 @@ struct NBufferShape
   ivec2 size; // of the depth image, in pixels: the width and height that Build() was called for
   int factor; // pixels along a side of a texel of level 0: 1, 2, 4 or 8
   int levels; // vtkNBufferTexture::GetNumberOfLevels()
+  int minima; // the channel of the minima: 0, but 1 in a texture of maxima that has both extrema
 };
 
 // A texel of a level, as vtkNBufferTexture stores it (GetLayer()): even and odd levels are in two
-// textures, two levels of the N-buffer for each layer.
-float NBufferFetch(sampler2DArray even, sampler2DArray odd, int level, ivec2 texel)
+// textures, two levels of the N-buffer for each layer. The extremum that Build() was called for is
+// in channel 0.
+float NBufferFetch(sampler2DArray even, sampler2DArray odd, int level, ivec2 texel, int channel)
 {
   ivec3 place = ivec3(texel, level / 2);
-  return level % 2 == 0 ? texelFetch(even, place, 0).r : texelFetch(odd, place, 0).r;
+  vec4 value = level % 2 == 0 ? texelFetch(even, place, 0) : texelFetch(odd, place, 0);
+  return channel == 0 ? value.r : value.g;
+}
+
+// The last texel of a level, at its upper right corner.
+ivec2 NBufferGetLastTexel(NBufferShape shape)
+{
+  return (shape.size - ivec2(1)) / shape.factor;
 }
 
 // The texels of level 0 that a rectangle of pixels touches inside the image, as (x0, y0, x1, y1);
@@ -98,21 +108,20 @@ ivec2 NBufferGetStart(ivec4 texels, int level, ivec2 index)
 float NBufferFarthestOfSquare(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec2 corner, int level)
 {
-  ivec2 size = (shape.size + ivec2(shape.factor - 1)) / shape.factor;
-  if (any(greaterThanEqual(corner, size)) ||
+  if (any(greaterThan(corner, NBufferGetLastTexel(shape))) ||
     any(lessThanEqual(corner + ivec2(1 << level), ivec2(0))))
   {
     return 0.0;
   }
-  return level < shape.levels ? NBufferFetch(even, odd, level, max(corner, ivec2(0))) : 1.0;
+  return level < shape.levels ? NBufferFetch(even, odd, level, max(corner, ivec2(0)), 0) : 1.0;
 }
 
-// The farthest depth over a rectangle, in four lookups at most. If a square is wider or higher than
-// the rectangle, the result may be farther. Returns 0 if no pixel of the rectangle is inside the
-// image, and 1 if the level is not built.
-float NBufferFarthest(
-  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
+// NBufferFarthest(), and the texel that has this depth: its place in x and y, and its level in z,
+// which is -1 if there is no pixel or no level.
+float NBufferFindFarthest(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels, out ivec3 place)
 {
+  place = ivec3(-1);
   ivec4 texels = NBufferToTexels(shape, pixels);
   ivec2 size = texels.zw - texels.xy;
   if (size.x == 0)
@@ -130,14 +139,54 @@ float NBufferFarthest(
   {
     return 1.0;
   }
-  float farthest = 0.0;
+  float farthest = -1.0;
   for (int i = 0; i < count.x * count.y; ++i)
   {
-    ivec2 index = ivec2(i % count.x, i / count.x);
-    farthest =
-      max(farthest, NBufferFetch(even, odd, level, NBufferGetStart(texels, level, index)));
+    ivec2 start = NBufferGetStart(texels, level, ivec2(i % count.x, i / count.x));
+    float depth = NBufferFetch(even, odd, level, start, 0);
+    if (depth > farthest)
+    {
+      farthest = depth;
+      place = ivec3(start, level);
+    }
   }
   return farthest;
+}
+
+// The farthest depth over a rectangle, in four lookups at most. If a square is wider or higher than
+// the rectangle, the result may be farther. Returns 0 if no pixel of the rectangle is inside the
+// image, and 1 if the level is not built.
+float NBufferFarthest(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
+{
+  ivec3 place;
+  return NBufferFindFarthest(even, odd, shape, pixels, place);
+}
+
+// Where the depth of NBufferFarthest() is: the pixels of a texel of level 0 that has it, as
+// (x0, y0, x1, y1), at most shape.factor along each side. All four are 0 if no pixel of the
+// rectangle is inside the image or the level is not built.
+ivec4 NBufferFarthestPixels(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
+{
+  ivec3 place;
+  float farthest = NBufferFindFarthest(even, odd, shape, pixels, place);
+  ivec2 last = NBufferGetLastTexel(shape);
+  while (place.z > 0)
+  {
+    // The squares of four texels of a level make up the square of one of the level above.
+    --place.z;
+    int i = 0;
+    ivec2 texel = place.xy;
+    while (i < 3 && NBufferFetch(even, odd, place.z, texel, 0) != farthest)
+    {
+      ++i;
+      texel = min(place.xy + ivec2(i % 2, i / 2) * (1 << place.z), last);
+    }
+    place.xy = texel;
+  }
+  ivec2 begin = place.xy * shape.factor;
+  return place.z < 0 ? ivec4(0) : ivec4(begin, min(begin + ivec2(shape.factor), shape.size));
 }
 
 // Whether everything that is drawn in a rectangle of pixels and is nowhere nearer than `nearest` is
@@ -163,7 +212,7 @@ float NBufferNearestInOne(
   }
   int level = NBufferCeilLog2(max(size.x, size.y));
   return level < shape.levels
-    ? NBufferFetch(even, odd, level, NBufferGetStart(texels, level, ivec2(0)))
+    ? NBufferFetch(even, odd, level, NBufferGetStart(texels, level, ivec2(0)), shape.minima)
     : 0.0;
 }
 

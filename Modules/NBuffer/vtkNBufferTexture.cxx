@@ -75,6 +75,7 @@ public:
   vtkNBufferExtremum Extremum = vtkNBufferExtremum::Maximum;
   int Draws = 0;
   int Downloads = 0;
+  bool HasBoth = false;
   bool LacksFloatTextures = false;
   std::string Error;
   vtkNBufferTextureStorage Storage;
@@ -84,9 +85,10 @@ public:
 
 private:
   void Draw(vtkNBufferGL::FullScreenPass& pass, int level);
-  std::string DefineExtremum() const
+  std::string DefineExtrema() const
   {
-    return Define("NBUFFER_MAXIMUM", this->Extremum == vtkNBufferExtremum::Maximum);
+    return Define("NBUFFER_MAXIMUM", this->Extremum == vtkNBufferExtremum::Maximum) +
+      Define("NBUFFER_BOTH", this->HasBoth);
   }
 
   vtkMTimeType ContextTime = 0;
@@ -205,7 +207,7 @@ bool vtkNBufferTexture::Internals::DrawBase(
   vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, const SampledDepth& depth)
 {
   vtkShaderProgram* program = this->BasePass.Begin(window, this->Error,
-    this->DefineExtremum() + Define("NBUFFER_SOURCE", depth.Kind) +
+    this->DefineExtrema() + Define("NBUFFER_SOURCE", depth.Kind) +
       Define("NBUFFER_FACTOR", this->Factor) +
       Define("NBUFFER_SAMPLES", std::max(source.Samples, 1)) +
       Define("NBUFFER_INEXACT", source.Samples > 1 && source.ExceedsFloats()));
@@ -228,7 +230,7 @@ bool vtkNBufferTexture::Internals::DrawBase(
 
 bool vtkNBufferTexture::Internals::DrawLevel(vtkOpenGLRenderWindow* window, int level)
 {
-  vtkShaderProgram* program = this->LevelPass.Begin(window, this->Error, this->DefineExtremum());
+  vtkShaderProgram* program = this->LevelPass.Begin(window, this->Error, this->DefineExtrema());
   if (!program)
   {
     return false;
@@ -304,13 +306,15 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
   self.PixelHeight = height;
   self.Factor = factor;
   self.Extremum = extremum;
+  self.HasBoth = this->BothExtrema;
   self.Width = vtkNBufferMath::GetBaseSize(width, factor);
   self.Height = vtkNBufferMath::GetBaseSize(height, factor);
   const int count = std::min(levels, vtkNBufferMath::GetNumberOfLevels(self.Width, self.Height));
 
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
-  if (!self.Storage.ReserveLevels(self.Width, self.Height, count, self.Error))
+  const int channels = self.HasBoth ? 2 : 1;
+  if (!self.Storage.ReserveLevels(self.Width, self.Height, count, channels, self.Error))
   {
     self.LacksFloatTextures = true;
     return false;
@@ -444,6 +448,7 @@ void vtkNBufferTexture::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AllowFloatTextures: " << (this->AllowFloatTextures ? "On" : "Off") << "\n";
+  os << indent << "BothExtrema: " << (this->BothExtrema ? "On" : "Off") << "\n";
   os << indent << "Width: " << this->GetWidth() << "\n";
   os << indent << "Height: " << this->GetHeight() << "\n";
   os << indent << "NumberOfLevels: " << this->GetNumberOfLevels() << "\n";

@@ -8,12 +8,12 @@
  * levels above it, all by fragment passes of OpenGL 3.2. vtkNBufferMath.h defines which squares a
  * texel covers; vtkNBufferLevels builds the same levels, bit for bit, in host memory.
  *
- * Texels are 32-bit floats (R32F). Even and odd levels live in two array textures, so that a pass
- * never reads the texture that it writes. Level i is layer GetLayer(i) of GetHandle(i), and fills
- * the lower left GetWidth() x GetHeight() texels of that layer. The memory grows with the largest
- * image and the largest number of levels since construction, to
- * 4 * levels * ceil(w / factor) * ceil(h / factor) bytes, and is kept until
- * ReleaseGraphicsResources(). Shaders query the levels by the functions of vtkNBufferQuery.glsl.
+ * Texels are 32-bit floats (R32F; RG32F with both extrema). Even and odd levels live in two array
+ * textures, so that a pass never reads the texture that it writes. Level i is layer GetLayer(i) of
+ * GetHandle(i), and fills the lower left GetWidth() x GetHeight() texels of that layer. The memory
+ * grows with the largest image and the largest number of levels since construction, to 4 * levels *
+ * ceil(w / factor) * ceil(h / factor) bytes, and is kept until ReleaseGraphicsResources(). Shaders
+ * query the levels by the functions of vtkNBufferQuery.glsl.
  *
  * Where depth comes from: Build() samples a depth texture directly. It first copies, on the device,
  * the depth of a renderbuffer or of the window's own framebuffer. It copies normalised depth of 32
@@ -112,6 +112,19 @@ public:
   vtkGetMacro(AllowFloatTextures, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether Build() also stores the other extremum, in the second channel of the textures. The
+   * passes are the same, with less than twice the time and with twice the memory (which the
+   * textures keep when this is switched off again). Shaders then read the minima of a texture of
+   * maxima with `minima` = 1 (vtkNBufferQuery.glsl). Download() copies the first channel. Default:
+   * off.
+   */
+  vtkSetMacro(BothExtrema, bool);
+  vtkGetMacro(BothExtrema, bool);
+  vtkBooleanMacro(BothExtrema, bool);
+  ///@}
+
   /// Whether the last Build() failed because there are no float textures to draw into.
   bool LacksFloatTextures() const;
 
@@ -138,6 +151,7 @@ private:
   class Internals;
   std::unique_ptr<Internals> Implementation;
   bool AllowFloatTextures = true;
+  bool BothExtrema = false;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -84,6 +84,12 @@ Answer GetAnswer(const vtkNBufferLevels& levels, int known, const Query& query)
     const vtkNBufferCover cover =
       isMaximum ? vtkNBufferMath::GetCoverOfFour(texels) : vtkNBufferMath::GetCoverOfOne(texels);
     answer[0] = cover.Level < known ? levels.Query(cover) : unknown;
+    if (isMaximum && cover.Level < known)
+    {
+      const vtkNBufferRectangle place = levels.FindPixels(cover);
+      answer[3] = static_cast<float>(
+        place.X0 + 512 * (place.Y0 + 512 * (place.GetWidth() % 8 + 8 * (place.GetHeight() % 8))));
+    }
     answer[1] = (isMaximum ? query.Depth > answer[0] : query.Depth < answer[0]) ? 1.0f : 0.0f;
   }
   const int x = query.Pixels.X0;
@@ -158,6 +164,7 @@ protected:
       program->SetUniform2i("shape.size", size);
       program->SetUniformi("shape.factor", levels.GetFactor());
       program->SetUniformi("shape.levels", texture->GetNumberOfLevels());
+      program->SetUniformi("shape.minima", texture->GetBothExtrema());
       program->SetUniformi("count", Count);
       program->SetUniformi("isMaximum", levels.GetExtremum() == vtkNBufferExtremum::Maximum);
       for (int i : { 0, 1 })
@@ -182,9 +189,13 @@ protected:
     return answers;
   }
 
-  void Compare(int width, int height, int factor, vtkNBufferExtremum extremum, int count)
+  /// Compares the answers of at most `count` levels of an image of random depths. With `both`, they
+  /// are in a texture of maxima that has both extrema.
+  void Compare(
+    int width, int height, int factor, vtkNBufferExtremum extremum, int count, bool both = false)
   {
-    SCOPED_TRACE(testing::Message() << width << " x " << height << ", factor " << factor);
+    SCOPED_TRACE(testing::Message()
+      << width << " x " << height << ", factor " << factor << (both ? ", both extrema" : ""));
     const DepthTarget target(GetDepthFormats()[3], width, height, true);
     target.Fill(static_cast<unsigned int>(width));
     target.Bind(0, 0, width, height);
@@ -192,7 +203,10 @@ protected:
     vtkNBufferLevels levels;
     ASSERT_TRUE(texture->Build(this->Window, factor, 99, extremum)) << texture->GetError();
     ASSERT_TRUE(texture->Download(this->Window, levels)) << texture->GetError();
-    ASSERT_TRUE(texture->Build(this->Window, factor, count, extremum)) << texture->GetError();
+    texture->SetBothExtrema(both);
+    ASSERT_TRUE(
+      texture->Build(this->Window, factor, count, both ? vtkNBufferExtremum::Maximum : extremum))
+      << texture->GetError();
     const int known = texture->GetNumberOfLevels();
     const std::vector<Query> queries = MakeQueries(levels, known);
     const std::vector<Answer> answers = this->Draw(texture, levels, queries);
@@ -231,6 +245,8 @@ TEST_P(GpuTestNBufferQuery, EqualsHost)
     {
       this->Compare(width, height, factor, vtkNBufferExtremum::Maximum, 99);
       this->Compare(width, height, factor, vtkNBufferExtremum::Minimum, 99);
+      this->Compare(width, height, factor, vtkNBufferExtremum::Maximum, 99, true);
+      this->Compare(width, height, factor, vtkNBufferExtremum::Minimum, 99, true);
     }
   }
   this->CheckThatAnswersDiffer();

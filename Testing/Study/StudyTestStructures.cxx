@@ -4,7 +4,6 @@
 // it answers is the farthest depth of what it covers, and where it is said to be exact it is.
 #include "DepthStructure.h"
 #include "PaperMeasures.h"
-#include "PositionedLevels.h"
 #include "StudyImage.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +21,6 @@ using NBufferStudy::DepthGrid;
 using NBufferStudy::DepthStructure;
 using NBufferStudy::DepthTaps;
 using NBufferStudy::FullStride;
-using NBufferStudy::PositionedDepth;
-using NBufferStudy::PositionedLevels;
 using StudyTest::Image;
 
 constexpr std::pair<int, int> Sizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 64, 64 },
@@ -265,35 +262,5 @@ TEST(StudyStructures, NamesAreUnique)
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
-}
-
-TEST(StudyPositions, TheFarthestPixelAndItsPlace)
-{
-  std::mt19937 random(3);
-  for (int factor : { 1, 3, 4 })
-  {
-    const Image image(53, 31, 5);
-    PositionedLevels levels(factor);
-    levels.Build(image.Depth.data(), image.Width, image.Height);
-    for (int i = 0; i < 500; ++i)
-    {
-      const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
-      long long lookups = 0;
-      const PositionedDepth found = levels.Query(r, lookups);
-      EXPECT_GE(found.Depth, image.Scan(r));
-      EXPECT_EQ(found.Depth, image.Depth[found.Pixel]);
-      EXPECT_LE(lookups, 4);
-    }
-  }
-}
-
-TEST(StudyPositions, TheFirstOfEqualDepths)
-{
-  Image image(9, 7, 1);
-  std::fill(image.Depth.begin(), image.Depth.end(), 0.5f);
-  PositionedLevels levels(1);
-  levels.Build(image.Depth.data(), image.Width, image.Height);
-  long long lookups = 0;
-  EXPECT_EQ(levels.Query({ 2, 3, 6, 7 }, lookups).Pixel, 3 * 9 + 2);
 }
 }

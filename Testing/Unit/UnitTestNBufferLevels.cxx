@@ -117,6 +117,23 @@ void CheckQuery(const vtkNBufferLevels& levels, const Image& base, const vtkNBuf
     ASSERT_EQ(Pick(extremum, answer, truth), answer) << "the truth is " << truth;
     // Where squares do not stick out the answer is exact.
     ASSERT_TRUE(answer == truth || side > std::min(r.GetWidth(), r.GetHeight()));
+    // The pixels are those of a texel that has the answer, in one of the squares.
+    const vtkNBufferRectangle pixels = levels.FindPixels(cover);
+    const int factor = levels.GetFactor();
+    const int x = pixels.X0 / factor;
+    const int y = pixels.Y0 / factor;
+    ASSERT_EQ(pixels,
+      (vtkNBufferRectangle{ x * factor, y * factor,
+        std::min((x + 1) * factor, levels.GetPixelWidth()),
+        std::min((y + 1) * factor, levels.GetPixelHeight()) }));
+    ASSERT_EQ(levels.GetTexel(0, x, y), answer);
+    int inside = 0;
+    for (int i = 0; i < cover.Count; ++i)
+    {
+      inside +=
+        x >= cover.X[i] && x < cover.X[i] + side && y >= cover.Y[i] && y < cover.Y[i] + side;
+    }
+    ASSERT_GT(inside, 0);
   }
 }
 

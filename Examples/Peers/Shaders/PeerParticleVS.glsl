@@ -7,10 +7,8 @@
 
 in vec3 center; // relative to the eye
 uniform mat4 eyeToClip;
-uniform sampler2DArray maximaEven;
-uniform sampler2DArray maximaOdd;
-uniform sampler2DArray minimaEven;
-uniform sampler2DArray minimaOdd;
+uniform sampler2DArray even;
+uniform sampler2DArray odd;
 uniform NBufferShape shape;
 uniform int spriteLevel; // sprites are 2^spriteLevel pixels wide; -1: particles are boxes
 uniform float boxSide;
@@ -66,13 +64,13 @@ void main()
   high.z += slack;
   ivec4 pixels = isKnown ? ivec4(low.xy, high.xy) : ivec4(0, 0, shape.size);
   bool isAccepted = culling == 2 && isKnown &&
-    NBufferShows(minimaEven, minimaOdd, shape, pixels, high.z);
+    NBufferShows(even, odd, shape, pixels, high.z);
   bool isHidden = false;
   if (culling > 0 && isKnown && !isAccepted)
   {
     isHidden = isSprite
-      ? low.z > NBufferFarthestOfSquare(maximaEven, maximaOdd, shape, pixels.xy, spriteLevel)
-      : NBufferHides(maximaEven, maximaOdd, shape, pixels, low.z);
+      ? low.z > NBufferFarthestOfSquare(even, odd, shape, pixels.xy, spriteLevel)
+      : NBufferHides(even, odd, shape, pixels, low.z);
   }
   if (isHidden)
   {

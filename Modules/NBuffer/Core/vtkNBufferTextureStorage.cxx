@@ -26,17 +26,20 @@ GLenum GetCopyFormat(const vtkNBufferDepthSource& source)
 }
 }
 
-bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, std::string& why)
+bool vtkNBufferTextureStorage::ReserveLevels(
+  int width, int height, int levels, int channels, std::string& why)
 {
-  if (width <= this->Width && height <= this->Height && levels <= this->Levels)
+  if (width <= this->Width && height <= this->Height && levels <= this->Levels &&
+    channels <= this->Channels)
   {
     return true;
   }
   const int newWidth = std::max(width, this->Width);
   const int newHeight = std::max(height, this->Height);
   const int newLevels = std::max(levels, this->Levels);
+  const int newChannels = std::max(channels, this->Channels);
   this->DeleteLevels(vtkNBufferGL::Context::Current);
-  if (!this->AllocateArrays(newWidth, newHeight, newLevels, why) ||
+  if (!this->AllocateArrays(newWidth, newHeight, newLevels, newChannels, why) ||
     !this->AllocateFramebuffers(newLevels, why))
   {
     this->DeleteLevels(vtkNBufferGL::Context::Current);
@@ -45,10 +48,12 @@ bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, 
   this->Width = newWidth;
   this->Height = newHeight;
   this->Levels = newLevels;
+  this->Channels = newChannels;
   return true;
 }
 
-bool vtkNBufferTextureStorage::AllocateArrays(int width, int height, int levels, std::string& why)
+bool vtkNBufferTextureStorage::AllocateArrays(
+  int width, int height, int levels, int channels, std::string& why)
 {
   const vtkNBufferGL::ScopedUpload nothing(0);
   for (int i = 0; i < ArrayCount; ++i)
@@ -58,8 +63,8 @@ bool vtkNBufferTextureStorage::AllocateArrays(int width, int height, int levels,
     vtkNBufferGL::SetPlainSampling(GL_TEXTURE_2D_ARRAY);
     if (layers > 0)
     {
-      glTexImage3D(
-        GL_TEXTURE_2D_ARRAY, 0, GL_R32F, width, height, layers, 0, GL_RED, GL_FLOAT, nullptr);
+      glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, channels == 2 ? GL_RG32F : GL_R32F, width, height,
+        layers, 0, GL_RED, GL_FLOAT, nullptr);
       ++this->Allocations;
     }
   }
@@ -182,7 +187,7 @@ void vtkNBufferTextureStorage::DeleteLevels(vtkNBufferGL::Context context)
   {
     array.Delete(context);
   }
-  this->Width = this->Height = this->Levels = 0;
+  this->Width = this->Height = this->Levels = this->Channels = 0;
 }
 
 void vtkNBufferTextureStorage::Delete(vtkNBufferGL::Context context)

@@ -34,9 +34,9 @@ public:
   static int GetArrayIndex(int level) { return level % ArrayCount; }
   static int GetLayer(int level) { return level / ArrayCount; }
 
-  /// Make room for at least `levels` levels of at least width x height texels. Returns false, with
-  /// the cause in `why`, if OpenGL refuses.
-  bool ReserveLevels(int width, int height, int levels, std::string& why);
+  /// Make room for at least `levels` levels of at least width x height texels with at least
+  /// `channels` channels, 1 or 2. Returns false, with the cause in `why`, if OpenGL refuses.
+  bool ReserveLevels(int width, int height, int levels, int channels, std::string& why);
 
   /// Make room in Copy for a rectangle of the depth of `source`. Returns false, with the cause in
   /// `why`, if OpenGL refuses.
@@ -80,13 +80,14 @@ private:
   };
 
   bool ReserveBuffer(Buffer& buffer, unsigned int usage, std::size_t bytes, std::string& why);
-  bool AllocateArrays(int width, int height, int levels, std::string& why);
+  bool AllocateArrays(int width, int height, int levels, int channels, std::string& why);
   bool AllocateFramebuffers(int levels, std::string& why);
   void DeleteLevels(vtkNBufferGL::Context context);
 
   int Width = 0;
   int Height = 0;
   int Levels = 0;
+  int Channels = 0;
   int Allocations = 0; ///< Without those of the textures above.
   vtkNBufferGL::Texture Arrays[ArrayCount];
   std::vector<vtkNBufferGL::Framebuffer> Framebuffers;

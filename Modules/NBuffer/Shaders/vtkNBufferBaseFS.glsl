@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 
 // Makes level 0: a texel is the extremum of a square of NBUFFER_FACTOR x NBUFFER_FACTOR depth
-// pixels and of all their samples. If the depth image ends inside a square, the last row or column
+// pixels and of all their samples. With NBUFFER_BOTH, channel 1 has the other extremum. If the depth image ends inside a square, the last row or column
 // of the image is read again, which changes no extremum. For factor 4 and width 6:
 //
 //     +---+---+---+---+---+---+ . . . +
@@ -28,38 +28,35 @@ uniform sampler2D depth;
 uniform ivec2 origin; // of the rectangle to reduce, in texels of the depth texture
 uniform ivec2 last;   // last pixel of the rectangle, counted from its origin
 
-#if NBUFFER_MAXIMUM
-#define NBUFFER_EXTREMUM max
-#else
-#define NBUFFER_EXTREMUM min
-#endif
+// Of the pixels and samples that were included so far.
+NBUFFER_VALUE largest;
+NBUFFER_VALUE smallest;
 
-NBUFFER_VALUE Fetch(ivec2 pixel)
+void Include(ivec2 pixel)
 {
-  NBUFFER_VALUE value = texelFetch(depth, origin + pixel, 0).r;
 #if NBUFFER_SOURCE == NBUFFER_SOURCE_MULTISAMPLE
-  for (int i = 1; i < NBUFFER_SAMPLES; ++i)
-  {
-    value = NBUFFER_EXTREMUM(value, texelFetch(depth, origin + pixel, i).r);
-  }
+  for (int i = 0; i < NBUFFER_SAMPLES; ++i)
+#else
+  const int i = 0;
 #endif
-  return value;
+  {
+    NBUFFER_VALUE value = texelFetch(depth, origin + pixel, i).r;
+    largest = max(largest, value);
+    smallest = min(smallest, value);
+  }
 }
 
-float ToDepth(NBUFFER_VALUE value)
+// Depths that do not fit a float are moved up if they are maxima, otherwise down.
+float ToDepth(NBUFFER_VALUE value, bool isMaximum)
 {
 #if NBUFFER_SOURCE == NBUFFER_SOURCE_INTEGER
   int rounded = int(value >> uint(NBUFFER_DEPTH32_DROPPED_BITS));
-#if NBUFFER_MAXIMUM
-  rounded += (value & uint(NBUFFER_DEPTH32_DROPPED_MASK)) != 0u ? 1 : 0;
-#else
-  rounded += value == 0xFFFFFFFFu ? 1 : 0;
-#endif
-  return float(rounded) * (1.0 / NBUFFER_DEPTH32_SCALE);
-#elif NBUFFER_INEXACT && NBUFFER_MAXIMUM
-  return min(value + NBUFFER_DEPTH32_SAMPLER_ERROR, 1.0);
+  bool isUp = isMaximum ? (value & uint(NBUFFER_DEPTH32_DROPPED_MASK)) != 0u
+                        : value == 0xFFFFFFFFu;
+  return float(isUp ? rounded + 1 : rounded) * (1.0 / NBUFFER_DEPTH32_SCALE);
 #elif NBUFFER_INEXACT
-  return max(value - NBUFFER_DEPTH32_SAMPLER_ERROR, 0.0);
+  float error = isMaximum ? NBUFFER_DEPTH32_SAMPLER_ERROR : -NBUFFER_DEPTH32_SAMPLER_ERROR;
+  return clamp(value + error, 0.0, 1.0);
 #else
   return value;
 #endif
@@ -68,13 +65,15 @@ float ToDepth(NBUFFER_VALUE value)
 void main()
 {
   ivec2 first = NBUFFER_FACTOR * ivec2(gl_FragCoord.xy);
-  NBUFFER_VALUE value = Fetch(first);
+  largest = smallest = texelFetch(depth, origin + first, 0).r;
   for (int y = 0; y < NBUFFER_FACTOR; ++y)
   {
     for (int x = 0; x < NBUFFER_FACTOR; ++x)
     {
-      value = NBUFFER_EXTREMUM(value, Fetch(min(first + ivec2(x, y), last)));
+      Include(min(first + ivec2(x, y), last));
     }
   }
-  gl_FragData[0] = vec4(ToDepth(value));
+  vec2 extrema = vec2(ToDepth(largest, true), ToDepth(smallest, false));
+  extrema = NBUFFER_MAXIMUM != 0 ? extrema : extrema.gr;
+  gl_FragData[0] = vec4(extrema.r, NBUFFER_BOTH != 0 ? extrema.g : 0.0, 0.0, 1.0);
 }
