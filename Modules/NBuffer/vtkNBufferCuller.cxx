@@ -244,6 +244,18 @@ vtkNBufferVerdict vtkNBufferCuller::GetVerdict(vtkProp* prop, int part, vtkRende
   return view ? view->GetVerdict(prop, part) : vtkNBufferVerdict::Unknown;
 }
 
+bool vtkNBufferCuller::GetVisiblePixels(vtkProp* prop, int pixels[4], vtkRenderer* renderer) const
+{
+  vtkNBufferView* view = this->Implementation->FindView(renderer);
+  vtkNBufferRectangle found;
+  const bool isFound = view && view->GetVisiblePixels(prop, found);
+  pixels[0] = found.X0;
+  pixels[1] = found.Y0;
+  pixels[2] = found.X1;
+  pixels[3] = found.Y1;
+  return isFound;
+}
+
 const vtkNBufferStatistics& vtkNBufferCuller::GetStatistics(vtkRenderer* renderer) const
 {
   static const vtkNBufferStatistics none;

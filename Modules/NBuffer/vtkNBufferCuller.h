@@ -210,6 +210,18 @@ public:
   /// divided may make a table of 8 bytes per part; each further one costs two look-ups.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, int part, vtkRenderer* renderer = nullptr) const;
 
+  /**
+   * Which pixels keep a prop visible: where the last test of `renderer` found the farthest depth in
+   * the rectangle of the prop's box. The prop is not hidden by the levels, because this depth is
+   * not nearer than the nearest corner of its box. (The comparison of its box and triangles with
+   * single pixels, which follows, may have found another pixel, too.) `pixels` is (x0, y0, x1, y1),
+   * half-open, counted from the lower left corner of the viewport, and has at most
+   * vtkNBufferTuning::BaseFactor pixels along each side. Returns false, with zeros, if the verdict
+   * of the prop in the last frame is not Visible. `renderer` nullptr means the renderer that was
+   * culled last. Costs about fifty lookups.
+   */
+  bool GetVisiblePixels(vtkProp* prop, int pixels[4], vtkRenderer* renderer = nullptr) const;
+
   /// Counts and times of the last frame of `renderer`; nullptr means the renderer that was culled
   /// last.
   const vtkNBufferStatistics& GetStatistics(vtkRenderer* renderer = nullptr) const;

@@ -31,16 +31,6 @@ std::string Define(const char* name, int value)
 {
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
-
-/// The depth that the base pass samples, and where the rectangle begins in it.
-struct SampledDepth
-{
-  int Kind = NBUFFER_SOURCE_DEPTH;
-  bool Foreign = false; ///< Other code owns the texture, whose parameters must be restored.
-  GLenum Target = GL_TEXTURE_2D;
-  int Level = 0;
-  int Origin[2] = { 0, 0 };
-};
 }
 
 class vtkNBufferTexture::Internals
@@ -56,10 +46,8 @@ public:
   bool CheckArguments(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int x,
     int y, int width, int height, int factor, int levels);
   void UseContext(vtkOpenGLRenderWindow* window);
-  bool PrepareDepth(
-    const vtkNBufferDepthSource& source, int x, int y, int width, int height, SampledDepth& depth);
-  bool DrawBase(
-    vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, const SampledDepth& depth);
+  bool DrawBase(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+    const vtkNBufferTextureStorage::SampledDepth& depth);
   bool DrawLevel(vtkOpenGLRenderWindow* window, int level);
   bool Read(vtkOpenGLRenderWindow* window, const std::vector<vtkNBufferRectangle>& rectangles,
     int levels, float* texels);
@@ -151,60 +139,14 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
   }
 }
 
-bool vtkNBufferTexture::Internals::PrepareDepth(
-  const vtkNBufferDepthSource& source, int x, int y, int width, int height, SampledDepth& depth)
-{
-  if (source.Samples > 1 || (source.Texture && !source.ExceedsFloats()))
-  {
-    depth.Foreign = true;
-    depth.Kind = source.Samples > 1 ? NBUFFER_SOURCE_MULTISAMPLE : NBUFFER_SOURCE_DEPTH;
-    depth.Target = source.Samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-    depth.Level = source.DepthLevel;
-    depth.Origin[0] = x;
-    depth.Origin[1] = y;
-    glBindTexture(depth.Target, source.DepthName);
-    return vtkNBufferGL::CheckErrors("Binding the depth texture", this->Error);
-  }
-  if (!source.ExceedsFloats())
-  {
-    if (!this->Storage.ReserveCopy(source, width, height, this->Error))
-    {
-      return false;
-    }
-    glBindTexture(GL_TEXTURE_2D, this->Storage.Copy.GetName());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, source.Framebuffer);
-    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, x, y, width, height);
-    return vtkNBufferGL::CheckErrors("Copying the depth buffer", this->Error);
-  }
-  // Depth can be copied as integers only through a buffer object. That costs little: graphics
-  // devices lack this depth format, and software renderers copy it without a conversion.
-  depth.Kind = NBUFFER_SOURCE_INTEGER;
-  if (!this->Storage.ReserveIntegers(width, height, this->Error))
-  {
-    return false;
-  }
-  glBindTexture(GL_TEXTURE_2D, this->Storage.Integers.GetName());
-  const unsigned int buffer = this->Storage.GetIntegerBuffer();
-  {
-    const vtkNBufferGL::ScopedReadback readback(source.Framebuffer, buffer);
-    glReadPixels(x, y, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-  }
-  {
-    const vtkNBufferGL::ScopedUpload upload(buffer);
-    glTexSubImage2D(
-      GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-  }
-  return vtkNBufferGL::CheckErrors("Copying the depth buffer as integers", this->Error);
-}
-
 void vtkNBufferTexture::Internals::Draw(vtkNBufferGL::FullScreenPass& pass, int level)
 {
   pass.Draw(this->Storage.GetFramebuffer(level), 0, 0, this->Width, this->Height);
   ++this->Draws;
 }
 
-bool vtkNBufferTexture::Internals::DrawBase(
-  vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, const SampledDepth& depth)
+bool vtkNBufferTexture::Internals::DrawBase(vtkOpenGLRenderWindow* window,
+  const vtkNBufferDepthSource& source, const vtkNBufferTextureStorage::SampledDepth& depth)
 {
   vtkShaderProgram* program = this->BasePass.Begin(window, this->Error,
     this->DefineExtrema() + Define("NBUFFER_SOURCE", depth.Kind) +
@@ -325,9 +267,9 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
   {
     self.Timer->ReusableStart();
   }
-  SampledDepth depth;
-  bool drawn =
-    self.PrepareDepth(source, x, y, width, height, depth) && self.DrawBase(window, source, depth);
+  vtkNBufferTextureStorage::SampledDepth depth;
+  bool drawn = self.Storage.BindDepth(source, x, y, width, height, depth, self.Error) &&
+    self.DrawBase(window, source, depth);
   for (int level = 1; drawn && level < count; ++level)
   {
     drawn = self.DrawLevel(window, level);

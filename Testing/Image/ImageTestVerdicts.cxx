@@ -11,11 +11,14 @@
 #include "vtkCubeSource.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace
@@ -204,4 +207,70 @@ TEST_P(CullerVerdicts, EachPartHasItsOwn)
   culler->EnabledOff();
   move();
   EXPECT_EQ(culler->GetVerdict(parts, hidden), Verdict::Untested);
+}
+
+// The pixels that keep a prop visible are seen past the occluder: a wall has a hole, and behind it
+// stands a board that is seen through the hole alone.
+TEST(CullerVerdictsOnce, AVisiblePropHasPixelsThatKeepIt)
+{
+  ComparisonOptions options;
+  options.Tuning.MinimumNumberOfCandidates = 1;
+  options.Tuning.TestPixels = false;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      for (const double side : { -1.0, 1.0 })
+      {
+        Scenes::AddBox(stage, 5.5 * side, 0.0, 0.0, 10.0, 0.3, 30.0);
+        Scenes::AddBox(stage, 0.0, 0.0, 8.0 * side, 30.0, 0.3, 15.0);
+      }
+      Scenes::AddBox(stage, 0.0, 5.0, 0.0, 12.0, 0.3, 12.0); // The board.
+      Scenes::AddBox(stage, 5.0, 5.0, 5.0, 1.0, 0.3, 1.0);   // Hidden.
+      Scenes::AddBox(stage, 90.0, 5.0, 0.0, 1.0, 0.3, 1.0);  // Outside of the view.
+    },
+    options);
+  for (const double x : { 0.0, 0.01 })
+  {
+    comparison.Frame(
+      [x](Stage& stage)
+      {
+        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+        camera->SetPosition(x, -30.0, 0.0);
+        camera->SetFocalPoint(x, 0.0, 0.0);
+        camera->SetViewUp(0.0, 0.0, 1.0);
+        camera->SetClippingRange(1.0, 200.0);
+      });
+  }
+  vtkNBufferCuller* culler = comparison.GetCuller();
+  Stage& stage = comparison.Culled;
+  const int* size = stage.GetRenderer()->GetSize();
+  const auto find = [&](vtkProp* prop, int* pixels)
+  { return culler->GetVisiblePixels(prop, pixels); };
+  int pixels[4] = { 9, 9, 9, 9 };
+  ASSERT_EQ(culler->GetVerdict(stage.GetActor(4)), Verdict::Visible);
+  ASSERT_TRUE(find(stage.GetActor(4), pixels));
+  const int factor = culler->GetTuning().BaseFactor;
+  EXPECT_LE(pixels[2] - pixels[0], factor);
+  EXPECT_LE(pixels[3] - pixels[1], factor);
+  // The hole is one unit wide and high, in the middle of the picture.
+  const double unit = size[1] / (60.0 * std::tan(vtkMath::RadiansFromDegrees(15.0)));
+  EXPECT_NEAR(0.5 * (pixels[0] + pixels[2]), 0.5 * size[0], 0.5 * unit + factor);
+  EXPECT_NEAR(0.5 * (pixels[1] + pixels[3]), 0.5 * size[1], 0.5 * unit + factor);
+
+  const int none[4] = { 0, 0, 0, 0 };
+  const Verdict verdicts[] = { Verdict::Hidden, Verdict::Outside };
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(culler->GetVerdict(stage.GetActor(5 + i)), verdicts[i]) << i;
+    EXPECT_FALSE(find(stage.GetActor(5 + i), pixels)) << i;
+    EXPECT_TRUE(std::equal(pixels, pixels + 4, none)) << i;
+  }
+  EXPECT_FALSE(find(nullptr, pixels));
+  EXPECT_FALSE(find(comparison.Reference.GetActor(4), pixels)) << "of another renderer";
+
+  comparison.Frame("still");
+  EXPECT_TRUE(find(stage.GetActor(4), pixels)) << "the last test is still valid";
+  culler->EnabledOff();
+  comparison.Frame("not tested");
+  EXPECT_FALSE(find(stage.GetActor(4), pixels));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferTextureStorage.h"
 
+#include "Shaders/vtkNBufferShared.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
 
@@ -88,6 +89,52 @@ bool vtkNBufferTextureStorage::AllocateFramebuffers(int levels, std::string& why
     }
   }
   return vtkNBufferGL::CheckErrors("Attaching the levels", why);
+}
+
+bool vtkNBufferTextureStorage::BindDepth(const vtkNBufferDepthSource& source, int x, int y,
+  int width, int height, SampledDepth& depth, std::string& why)
+{
+  if (source.Samples > 1 || (source.Texture && !source.ExceedsFloats()))
+  {
+    depth.Foreign = true;
+    depth.Kind = source.Samples > 1 ? NBUFFER_SOURCE_MULTISAMPLE : NBUFFER_SOURCE_DEPTH;
+    depth.Target = source.Samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    depth.Level = source.DepthLevel;
+    depth.Origin[0] = x;
+    depth.Origin[1] = y;
+    glBindTexture(depth.Target, source.DepthName);
+    return vtkNBufferGL::CheckErrors("Binding the depth texture", why);
+  }
+  if (!source.ExceedsFloats())
+  {
+    if (!this->ReserveCopy(source, width, height, why))
+    {
+      return false;
+    }
+    glBindTexture(GL_TEXTURE_2D, this->Copy.GetName());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source.Framebuffer);
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, x, y, width, height);
+    return vtkNBufferGL::CheckErrors("Copying the depth buffer", why);
+  }
+  // Depth can be copied as integers only through a buffer object. That costs little: graphics
+  // devices lack this depth format, and software renderers copy it without a conversion.
+  depth.Kind = NBUFFER_SOURCE_INTEGER;
+  if (!this->ReserveIntegers(width, height, why))
+  {
+    return false;
+  }
+  glBindTexture(GL_TEXTURE_2D, this->Integers.GetName());
+  const unsigned int buffer = this->IntegerBuffer.Object.GetName();
+  {
+    const vtkNBufferGL::ScopedReadback readback(source.Framebuffer, buffer);
+    glReadPixels(x, y, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+  }
+  {
+    const vtkNBufferGL::ScopedUpload upload(buffer);
+    glTexSubImage2D(
+      GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  }
+  return vtkNBufferGL::CheckErrors("Copying the depth buffer as integers", why);
 }
 
 bool vtkNBufferTextureStorage::ReserveCopy(

@@ -38,13 +38,23 @@ public:
   /// `channels` channels, 1 or 2. Returns false, with the cause in `why`, if OpenGL refuses.
   bool ReserveLevels(int width, int height, int levels, int channels, std::string& why);
 
-  /// Make room in Copy for a rectangle of the depth of `source`. Returns false, with the cause in
-  /// `why`, if OpenGL refuses.
-  bool ReserveCopy(const vtkNBufferDepthSource& source, int width, int height, std::string& why);
+  /// The depth that the base pass samples, and where the rectangle begins in it.
+  struct SampledDepth
+  {
+    int Kind = 0;         ///< NBUFFER_SOURCE_DEPTH or another of vtkNBufferShared.h.
+    bool Foreign = false; ///< Other code owns the texture, whose parameters must be restored.
+    unsigned int Target = 0;
+    int Level = 0;
+    int Origin[2] = { 0, 0 };
+  };
 
-  /// Make room for an image of depth as integers, and for the buffer through which it is copied.
-  /// Returns false, with the cause in `why`, if OpenGL refuses.
-  bool ReserveIntegers(int width, int height, std::string& why);
+  /**
+   * Bind the texture that holds the depth of a rectangle of framebuffer pixels of `source`, which
+   * is copied unless it is in a texture whose texels fit floats. Returns false, with the cause in
+   * `why`, if OpenGL refuses.
+   */
+  bool BindDepth(const vtkNBufferDepthSource& source, int x, int y, int width, int height,
+    SampledDepth& depth, std::string& why);
 
   /**
    * Copy the texels of the lowest levels that lie in `rectangles` to their places in `texels`,
@@ -60,17 +70,11 @@ public:
   /// The name of the framebuffer that has a level as its only attachment.
   unsigned int GetFramebuffer(int level) const { return this->Framebuffers[level].GetName(); }
 
-  /// The name of the buffer of ReserveIntegers(); 0 before that.
-  unsigned int GetIntegerBuffer() const { return this->IntegerBuffer.Object.GetName(); }
-
   /// How often memory was requested from OpenGL since construction.
   int GetNumberOfAllocations() const;
 
   /// Delete the objects.
   void Delete(vtkNBufferGL::Context context);
-
-  vtkNBufferGL::GrowingTexture Copy;     ///< A copy of the depth from which level 0 is made.
-  vtkNBufferGL::GrowingTexture Integers; ///< A copy of the depth as 32-bit integers.
 
 private:
   struct Buffer
@@ -79,6 +83,12 @@ private:
     std::size_t Bytes = 0;
   };
 
+  ///@{
+  /// Make room for a copy of a rectangle of depth, or for one as integers and for the buffer
+  /// through which it is copied. They return false, with the cause in `why`, if OpenGL refuses.
+  bool ReserveCopy(const vtkNBufferDepthSource& source, int width, int height, std::string& why);
+  bool ReserveIntegers(int width, int height, std::string& why);
+  ///@}
   bool ReserveBuffer(Buffer& buffer, unsigned int usage, std::size_t bytes, std::string& why);
   bool AllocateArrays(int width, int height, int levels, int channels, std::string& why);
   bool AllocateFramebuffers(int levels, std::string& why);
@@ -91,6 +101,8 @@ private:
   int Allocations = 0; ///< Without those of the textures above.
   vtkNBufferGL::Texture Arrays[ArrayCount];
   std::vector<vtkNBufferGL::Framebuffer> Framebuffers;
+  vtkNBufferGL::GrowingTexture Copy;     ///< A copy of the depth from which level 0 is made.
+  vtkNBufferGL::GrowingTexture Integers; ///< A copy of the depth as 32-bit integers.
   Buffer IntegerBuffer;
   Buffer ReadbackBuffer;
 };

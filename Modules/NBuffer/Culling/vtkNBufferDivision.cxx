@@ -366,10 +366,13 @@ void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProj
   }
 }
 
-bool vtkNBufferDivision::HasUnits() const
+int vtkNBufferDivision::GetLevelsNeeded(int width, int height, int factor) const
 {
-  return std::any_of(this->Entries.begin(), this->Entries.end(),
+  const bool hasUnits = std::any_of(this->Entries.begin(), this->Entries.end(),
     [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
+  return hasUnits
+    ? vtkNBufferOcclusionTest::GetLevelsNeeded({ 0, 0, width / 2, height / 2 }, factor)
+    : 1;
 }
 
 void vtkNBufferDivision::Count(vtkNBufferStatistics& statistics) const

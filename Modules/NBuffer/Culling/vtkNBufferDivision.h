@@ -130,8 +130,9 @@ public:
   void DescribeNext(int place, int round, const vtkNBufferProjection& projection,
     std::vector<vtkNBufferDrawnProp>& drawn);
 
-  /// Whether any prop has units that are tested in this frame.
-  bool HasUnits() const;
+  /// The number of levels that it takes to test units in a viewport of width x height pixels: the
+  /// boxes of groups of units may cover much of it. It is 1 if no units are tested in this frame.
+  int GetLevelsNeeded(int width, int height, int factor) const;
 
   /// Set the statistics of units, after a test: the sums over all props that are drawn unit by
   /// unit.

@@ -14,7 +14,6 @@
 #include VTKNBUFFER_GL_HEADER
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -155,6 +154,15 @@ vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop, std::optional<int> p
                                      : this->Division.GetVerdict(i, part);
 }
 
+bool vtkNBufferView::GetVisiblePixels(vtkProp* prop, vtkNBufferRectangle& pixels)
+{
+  const int i = this->Props.Find(prop);
+  return i >= 0 && (this->State == Phase::Tested || this->State == Phase::Reused) &&
+    this->Props.GetState(i).Verdict == vtkNBufferVerdict::Visible &&
+    vtkNBufferOcclusionTest(this->Levels, this->Tested.SampleDistance)
+      .FindVisiblePixels(this->Props.GetScreen(i), pixels);
+}
+
 bool vtkNBufferView::HasHeldPropWithKeys(vtkInformation* requiredKeys) const
 {
   const std::vector<int>& heldBack = this->Partition.GetHeldBack();
@@ -182,8 +190,7 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   {
     return this->Repeat(renderer);
   }
-  // Otherwise VTK draws only some of the props, or the same props again, for a reason that is not
-  // known here.
+  // VTK draws only some of the props, or draws them again for a reason that is not known here.
   const bool isAnyHeldBack = this->State == Phase::AwaitingProxy || this->State == Phase::Tested ||
     this->State == Phase::Incomplete;
   return isAnyHeldBack ? this->DrawAll(renderer, requiredKeys, vtkNBufferDecision::OtherView) : 0;
@@ -236,9 +243,8 @@ int vtkNBufferView::Repeat(vtkRenderer* renderer)
 {
   // The statistics count only the draws of the first time.
   const vtkNBufferClock clock;
-  const std::vector<int>& heldBack = this->Partition.GetHeldBack();
-  const int drawn = this->Draws.Repeat(renderer, heldBack);
-  this->Draws.RestoreTieOrder(renderer, heldBack, true, this->Tested.Samples);
+  const int drawn = this->Draws.Repeat(renderer, this->Partition.GetHeldBack());
+  this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->Tested.Samples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
@@ -299,10 +305,8 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   std::vector<int> left = this->Partition.GetHeldBack();
   const auto draw = [&](std::vector<int> props)
   {
-    for (const int i : this->Division.GetFresh())
-    {
-      props.push_back(i);
-    }
+    const std::vector<int> fresh = this->Division.GetFresh();
+    props.insert(props.end(), fresh.begin(), fresh.end());
     drawn += this->DrawRound(renderer, std::move(props), round++);
   };
   if (this->Division.GetPostponed() >= 0)
@@ -323,20 +327,16 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   {
     drawOccluders(first);
   }
-  // The boxes of groups of units may cover much of the viewport.
-  const int levels = !this->Division.HasUnits()
-    ? 1
-    : vtkNBufferOcclusionTest::GetLevelsNeeded(
-        { 0, 0, this->Projection.GetWidth() / 2, this->Projection.GetHeight() / 2 },
-        this->Settings.BaseFactor);
+  const int levels = this->Division.GetLevelsNeeded(
+    this->Projection.GetWidth(), this->Projection.GetHeight(), this->Settings.BaseFactor);
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const auto countHiddenUnits = [this]() { return this->Division.CountHidden(this->Levels); };
   for (;;)
   {
     std::string why;
-    const vtkNBufferDecision failure = test.Build(window, this->Tested,
+    const vtkNBufferDecision failure = test.Build(
+      window, this->Tested,
       { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, levels,
-      countHiddenUnits, why);
+      [this]() { return this->Division.CountHidden(this->Levels); }, why);
     if (failure != vtkNBufferDecision::None)
     {
       this->Fail(renderer, failure, why);

@@ -80,8 +80,9 @@ public:
   /// the first failure of its kind in the window.
   void Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why);
 
-  /// See vtkNBufferCuller::GetVerdict().
+  /// See the functions of vtkNBufferCuller with the same names.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, std::optional<int> part);
+  bool GetVisiblePixels(vtkProp* prop, vtkNBufferRectangle& pixels);
   const vtkNBufferStatistics& GetStatistics() const { return this->Statistics; }
   const std::shared_ptr<vtkNBufferBackend>& GetBackend() const { return this->Backend; }
 

@@ -18,22 +18,34 @@ int vtkNBufferOcclusionTest::GetLevelsNeeded(const vtkNBufferRectangle& pixels, 
   return vtkNBufferMath::GetLevelForFourLookups(texels.GetWidth(), texels.GetHeight()) + 1;
 }
 
-bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferScreenBox& screen)
+vtkNBufferCover vtkNBufferOcclusionTest::GetCover(const vtkNBufferScreenBox& screen) const
 {
   const vtkNBufferRectangle& pixels = screen.GetSampled(this->SampleDistance);
-  if (pixels.IsEmpty())
+  return pixels.IsEmpty() ? vtkNBufferCover()
+                          : vtkNBufferMath::GetCoverOfFour(
+                              vtkNBufferMath::GetBaseRectangle(pixels, this->Levels.GetFactor()));
+}
+
+bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferScreenBox& screen)
+{
+  const vtkNBufferCover cover = this->GetCover(screen);
+  // Without samples there is nothing to be seen. Without the level nothing is known, which means
+  // visible.
+  if (cover.Count == 0 || cover.Level >= this->Levels.GetNumberOfLevels())
   {
-    return true;
-  }
-  const vtkNBufferCover cover = vtkNBufferMath::GetCoverOfFour(
-    vtkNBufferMath::GetBaseRectangle(pixels, this->Levels.GetFactor()));
-  // Without the level nothing is known, which means visible.
-  if (cover.Level >= this->Levels.GetNumberOfLevels())
-  {
-    return false;
+    return cover.Count == 0;
   }
   ++this->Queries;
   this->Lookups += cover.Count;
   return screen.Nearest > vtkNBufferDepthConvention::GetOrder(this->Levels.Query(cover));
+}
+
+bool vtkNBufferOcclusionTest::FindVisiblePixels(
+  const vtkNBufferScreenBox& screen, vtkNBufferRectangle& pixels)
+{
+  const vtkNBufferCover cover = this->GetCover(screen);
+  const bool isFound = cover.Level < this->Levels.GetNumberOfLevels() && !this->IsHidden(screen);
+  pixels = isFound ? this->Levels.FindPixels(cover) : vtkNBufferRectangle();
+  return isFound;
 }
 VTK_ABI_NAMESPACE_END

@@ -34,6 +34,10 @@ public:
   /// gave for it in this viewport.
   bool IsHidden(const vtkNBufferScreenBox& screen);
 
+  /// Find where a box that is not hidden may be seen: the pixels of the texel of level 0 with the
+  /// farthest depth. Returns false for a box that is hidden or needs a level that was not built.
+  bool FindVisiblePixels(const vtkNBufferScreenBox& screen, vtkNBufferRectangle& pixels);
+
   /// The number of levels, level 0 included, that it takes to test a rectangle of pixels. `factor`
   /// is the side of a texel of level 0 in pixels.
   static int GetLevelsNeeded(const vtkNBufferRectangle& pixels, int factor);
@@ -45,6 +49,9 @@ public:
   long long GetLookups() const { return this->Lookups; }
 
 private:
+  /// The texels that cover the samples of a box; none if it has no samples.
+  vtkNBufferCover GetCover(const vtkNBufferScreenBox& screen) const;
+
   const vtkNBufferLevels& Levels;
   double SampleDistance;
   long long Queries = 0;
