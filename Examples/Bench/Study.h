@@ -86,6 +86,12 @@ Json::Value MeasureFigure4(int size);
 Json::Value MeasureParticles(
   Session& session, const NBufferExamples::CameraPose& pose, int most, int repetitions);
 
+/// Measures building the levels again where a round has changed the depth (section 4.2 of the
+/// paper): a frame draws what was visible `step` poses of the path ago, builds the levels, and then
+/// draws what is missing. Looks at `pairs` frames.
+Json::Value MeasureRebuild(
+  Session& session, const NBufferExamples::CameraPath& path, int step, int pairs, int repetitions);
+
 /// Measures drawing by the verdicts of an earlier frame: picks `pairs` pairs of poses, `step` poses
 /// of the path apart. The worst frame is written to `fileName`, wrong pixels in red; no picture is
 /// written if there are none.

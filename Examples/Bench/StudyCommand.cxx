@@ -184,6 +184,7 @@ public:
       for (const std::string& path : paths)
       {
         this->RunHierarchy(scene, session, path);
+        this->RunBuilds(scene, session, path);
       }
       if (scene.Plan)
       {
@@ -295,6 +296,22 @@ private:
       report["latent"].append(MeasureLatent(session, path, step, this->Spent.LatentPairs,
         this->Options.Folder + "/latent-" + report["file_name"].asString() + "-" +
           std::to_string(step) + ".png"));
+    }
+  }
+
+  /// Builds levels again in part; on the device, packs them into one texture.
+  void RunBuilds(const Scene& scene, Session& session, const std::string& name)
+  {
+    const CameraPath path = NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);
+    for (int step : { 1, 10 })
+    {
+      ShowProgress(name + ": levels built again in part");
+      for (Json::Value entry :
+        MeasureRebuild(session, path, step, this->Spent.LatentPairs, this->Spent.Repetitions))
+      {
+        entry["path"] = name;
+        this->Report["rebuild"].append(entry);
+      }
     }
   }
 

@@ -112,4 +112,70 @@ OverCoverage MeasureOverCoverage(const DepthFamily& family, int size, int places
   return result;
 }
 
+StaleTexels::StaleTexels(const vtkNBufferLevels& before, const vtkNBufferLevels& after)
+{
+  const int width = after.GetWidth();
+  const int height = after.GetHeight();
+  const float* a = before.GetLevelData(0);
+  const float* b = after.GetLevelData(0);
+  // An N-buffer of a mask: the square of a texel has a changed one if its maximum is 1.
+  std::vector<float> mask(static_cast<std::size_t>(width) * height);
+  int reach[4] = { width, height, 0, 0 };
+  for (int i = 0; i < width * height; ++i)
+  {
+    const bool isChanged = a[i] != b[i];
+    mask[static_cast<std::size_t>(i)] = isChanged ? 1.0f : 0.0f;
+    if (isChanged)
+    {
+      ++this->Base;
+      reach[0] = std::min(reach[0], i % width);
+      reach[1] = std::min(reach[1], i / width);
+      reach[2] = std::max(reach[2], i % width + 1);
+      reach[3] = std::max(reach[3], i / width + 1);
+    }
+  }
+  this->Changed = { reach[0], reach[1], reach[2], reach[3] };
+  vtkNBufferLevels stale;
+  stale.BuildBase(mask.data(), width, height, 1, vtkNBufferExtremum::Maximum);
+  stale.BuildLevels(after.GetNumberOfLevels());
+  for (int level = 1; level < stale.GetNumberOfLevels(); ++level)
+  {
+    const float* first = stale.GetLevelData(level);
+    this->Stale += std::count(first, first + mask.size(), 1.0f);
+  }
+}
+
+long long StaleTexels::Rebuild(vtkNBufferLevels& levels) const
+{
+  long long built = 0;
+  const int width = levels.GetWidth();
+  const int lastRow = levels.GetHeight() - 1;
+  for (int level = 1; level < levels.GetNumberOfLevels(); ++level)
+  {
+    const int side = 1 << level;
+    const int step = side / 2;
+    const int begin = std::max(this->Changed.X0 - side + 1, 0);
+    // What lies to the right has other neighbours, unless the border replaces them.
+    const int inside = std::clamp(width - step, begin, std::max(this->Changed.X1, begin));
+    for (int y = std::max(this->Changed.Y0 - side + 1, 0); y < this->Changed.Y1; ++y)
+    {
+      const float* a = levels.GetLevelData(level - 1) + static_cast<std::size_t>(y) * width;
+      const float* b = levels.GetLevelData(level - 1) +
+        static_cast<std::size_t>(std::min(y + step, lastRow)) * width;
+      float* out = levels.GetLevelData(level) + static_cast<std::size_t>(y) * width;
+      const auto merge = [](float p, float q) { return p > q ? p : q; };
+      for (int x = begin; x < inside; ++x)
+      {
+        out[x] = merge(merge(a[x], a[x + step]), merge(b[x], b[x + step]));
+      }
+      for (int x = inside; x < this->Changed.X1; ++x)
+      {
+        out[x] = merge(merge(a[x], b[x]), merge(a[width - 1], b[width - 1]));
+      }
+      built += std::max(this->Changed.X1 - begin, 0);
+    }
+  }
+  return built;
+}
+
 } // namespace NBufferStudy

@@ -3,7 +3,8 @@
 /**
  * @file PaperMeasures.h
  * @brief What the N-buffer paper counts: the depth tests of a hardware occlusion query (table 2),
- * and how much more than a rectangle a structure covers (figure 4).
+ * how much more than a rectangle a structure covers (figure 4), and the texels that change with a
+ * pixel (section 4.2).
  *
  * X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3), 2005.
  */
@@ -12,6 +13,7 @@
 
 #include "DepthStructure.h"
 
+#include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
 
 #include <vector>
@@ -42,6 +44,31 @@ struct OverCoverage
 
 /// Measures rectangles up to size x size, far from the border of the image.
 OverCoverage MeasureOverCoverage(const DepthFamily& family, int size, int places);
+
+/**
+ * Which texels of levels of maxima have to be built again when texels of level 0 have changed:
+ * those whose square has a changed texel. They lie on its left and below:
+ *
+ *     +--+--+--+--+
+ *     |r |r |r |c |   c  the changed texel
+ *     |r |r |r |r |   r  built again, on level 2
+ *     |r |r |r |r |
+ *     |r |r |r |r |
+ *     +--+--+--+--+
+ */
+struct StaleTexels
+{
+  /// Compares level 0 of two structures of the same size.
+  StaleTexels(const vtkNBufferLevels& before, const vtkNBufferLevels& after);
+
+  /// Builds the levels of `levels` above level 0 again where their squares reach into Changed.
+  /// All other texels must be those of before the change. Returns the number of texels built.
+  long long Rebuild(vtkNBufferLevels& levels) const;
+
+  vtkNBufferRectangle Changed; ///< The smallest rectangle that has all changed texels.
+  long long Base = 0;          ///< The number of changed texels of level 0.
+  long long Stale = 0;         ///< The number of texels to be built again, on all levels above.
+};
 
 } // namespace NBufferStudy
 

@@ -263,4 +263,48 @@ TEST(StudyStructures, NamesAreUnique)
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }
+
+TEST(StudyRebuild, APartIsBuiltAgainAsTheWhole)
+{
+  std::mt19937 random(9);
+  for (const auto& [width, height] : Sizes)
+  {
+    for (int changes : { 0, 1, 2, 9 })
+    {
+      Image image(width, height, 3);
+      const auto build = [&]()
+      {
+        vtkNBufferLevels levels;
+        levels.BuildBase(image.Depth.data(), width, height, 1, vtkNBufferExtremum::Maximum);
+        levels.BuildLevels(64);
+        return levels;
+      };
+      vtkNBufferLevels levels = build();
+      for (int i = 0; i < changes; ++i)
+      {
+        image.Depth[random() % image.Depth.size()] = i % 2 ? 2.0f : -1.0f;
+      }
+      const vtkNBufferLevels expected = build();
+      const NBufferStudy::StaleTexels stale(levels, expected);
+      EXPECT_LE(stale.Base, changes);
+      long long squares = 0;
+      for (int level = 1; changes == 1 && level < expected.GetNumberOfLevels(); ++level)
+      {
+        const int side = 1 << level;
+        squares += static_cast<long long>(std::min(side, stale.Changed.X1)) *
+          std::min(side, stale.Changed.Y1);
+      }
+      const std::size_t texels = image.Depth.size();
+      std::copy_n(expected.GetLevelData(0), texels, levels.GetLevelData(0));
+      const long long built = stale.Base > 0 ? stale.Rebuild(levels) : 0;
+      EXPECT_GE(built, stale.Stale);
+      EXPECT_TRUE(changes != 1 || (stale.Stale == squares && built == squares));
+      for (int level = 0; level < expected.GetNumberOfLevels(); ++level)
+      {
+        const float* found = levels.GetLevelData(level);
+        EXPECT_TRUE(std::equal(found, found + texels, expected.GetLevelData(level))) << level;
+      }
+    }
+  }
+}
 }
