@@ -47,7 +47,7 @@ from report_tables import (
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the backend has to be chosen first)
 
-DOCUMENTS = ("accuracy.md", "accuracy-particles.md", "accuracy-scenes.md", "accuracy-settings.md")
+DOCUMENTS = ("accuracy.md", "accuracy-levels.md", "accuracy-particles.md", "accuracy-scenes.md", "accuracy-settings.md")
 TABLE = re.compile(r"(<!-- table: ([^\n]*?) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 # Colours of Okabe and Ito, and shapes for readers who do not tell colours apart.

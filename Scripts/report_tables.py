@@ -305,6 +305,34 @@ def single(report, _):
                       f"\nSkipped: {name}, {why}.\n" for name, why in skipped.items())
 
 
+def packed(report, _):
+    """Levels in two arrays and side by side in one texture, and both extrema at once."""
+    rows, skipped = [], {}
+    for entry in report.get("packed") or []:
+        size = f"{entry['width']} x {entry['height']}"
+        if "skipped" in entry:
+            skipped[size] = entry["skipped"]
+            continue
+        rows.append([size, *(span(entry[name + "_ms"]) for name in (
+            "arrays", "packed", "query_arrays", "query_packed", "both_extrema"))])
+    return table(["size", "two arrays ms (p10 to p90)", "one texture ms", "a query per pixel: arrays ms",
+                  "one texture ms", "maxima and minima in two arrays ms"], rows) + "".join(
+                      f"\nSkipped: {size}, {why}.\n" for size, why in skipped.items())
+
+
+def rebuild(report, _):
+    """The texels and the time of building levels again where a second round changed the depth."""
+    return table(
+        ["path", "poses ago", "base", "frames that change", "texels of the base that change, %",
+         "texels of the levels that change, %", "built again, %", "all levels ms (p10 to p90)",
+         "built again ms"],
+        ([entry["path"], str(entry["step"]), f"1/{entry['factor']}",
+          f"{entry['changed_frames']} of {entry['frames']}",
+          *(entry[name + "_percent"] for name in ("changed", "stale", "built")),
+          span(entry["whole_ms"]), span(entry["rebuild_ms"])]
+         for entry in report.get("rebuild") or []))
+
+
 def hierarchy(report, path):
     def row(entry):
         flat, tree = entry["flat"], entry["tree"]
@@ -478,6 +506,6 @@ def few(report, _):
 
 
 TABLES = {function.__name__: function for function in (
-    machine, settings_machine, frames, peers, fragments, device, single, pareto, best, chain,
+    machine, settings_machine, frames, peers, fragments, device, single, packed, rebuild, pareto, best, chain,
     hierarchy, formats, latent, table1, table2, particles,
     figure4, left_out, known, shadows, fill, setting, few)}

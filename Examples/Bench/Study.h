@@ -27,6 +27,12 @@ namespace NBufferBench
 Json::Value MeasureDevice(
   Session& session, const NBufferExamples::CameraPose& pose, int repetitions, int mostPixels);
 
+/// Measures levels in two arrays, as the module has them, against levels side by side in one
+/// texture (PackedLevels.h), and both extrema at once. Leaves the window at another size, and
+/// leaves out images of more than `mostPixels`. Throws std::runtime_error if any answer differs.
+Json::Value MeasurePacked(
+  Session& session, const NBufferExamples::CameraPose& pose, int repetitions, int mostPixels);
+
 /// Measures what the format of depth costs, by the ratio of far to near plane. The planes of
 /// `frame` are at `near` and `far`; their ratio is the first one that is measured.
 Json::Value MeasureFormats(

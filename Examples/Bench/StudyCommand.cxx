@@ -194,6 +194,9 @@ public:
       this->Report["device"] =
         MeasureDevice(session, this->MakePath(scene, paths.front(), 1).front(),
           this->Spent.DeviceRepetitions, this->Spent.MostDevicePixels);
+      this->Report["packed"] =
+        MeasurePacked(session, this->MakePath(scene, paths.front(), 1).front(),
+          this->Spent.DeviceRepetitions, this->Spent.MostDevicePixels);
     }
     WriteJSON(this->Report, this->Options.JSON);
     return this->Wrong == 0 ? Success : ImagesDiffer;
@@ -299,7 +302,7 @@ private:
     }
   }
 
-  /// Builds levels again in part; on the device, packs them into one texture.
+  /// Builds levels again in part.
   void RunBuilds(const Scene& scene, Session& session, const std::string& name)
   {
     const CameraPath path = NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);

@@ -80,9 +80,9 @@ bool SingleLevel::DrawPass(
   const auto define = [](const char* name, int value)
   { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
   vtkShaderProgram* program = this->Pass.Begin(this->Window, why,
-    define("NBUFFER_MAXIMUM", 1) + define("NBUFFER_SOURCE", NBUFFER_SOURCE_DEPTH) +
-      define("NBUFFER_FACTOR", factor) + define("NBUFFER_SAMPLES", 1) +
-      define("NBUFFER_INEXACT", 0));
+    define("NBUFFER_MAXIMUM", 1) + define("NBUFFER_BOTH", 0) +
+      define("NBUFFER_SOURCE", NBUFFER_SOURCE_DEPTH) + define("NBUFFER_FACTOR", factor) +
+      define("NBUFFER_SAMPLES", 1) + define("NBUFFER_INEXACT", 0));
   if (!program)
   {
     return false;

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+#include "Study.h"
+#include "StudyFrames.h"
+
+#include "PackedLevels.h"
+
+#include "vtkNBufferClock.h"
+#include "vtkNBufferDepthSource.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <map>
+#include <stdexcept>
+
+namespace NBufferBench
+{
+namespace
+{
+using NBufferPeers::PackedLevels;
+
+void Check(bool done, const std::string& why)
+{
+  if (!done)
+  {
+    throw std::runtime_error("packed levels: " + why);
+  }
+}
+
+Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int repetitions)
+{
+  Json::Value entry;
+  entry["width"] = width;
+  entry["height"] = height;
+  const std::string obstacle = PackedLevels::WhyNot(width, height);
+  if (!obstacle.empty())
+  {
+    entry["skipped"] = obstacle;
+    return entry;
+  }
+  constexpr int all = 64;
+  PackedLevels packed;
+  vtkNew<vtkNBufferTexture> arrays;
+  vtkNew<vtkNBufferTexture> extrema;
+  vtkNew<vtkNBufferTexture> base;
+  extrema->BothExtremaOn();
+  std::map<std::string, std::vector<double>> times;
+  std::string why;
+  const auto time = [&](const char* name, int repetition, auto&& function)
+  {
+    window->WaitForCompletion();
+    const vtkNBufferClock clock;
+    Check(function(), why);
+    window->WaitForCompletion();
+    if (repetition > 0) // The first time does not count.
+    {
+      times[name].push_back(clock.GetMilliseconds());
+    }
+  };
+  const auto build = [&](vtkNBufferTexture* texture, int levels)
+  {
+    const bool done = texture->Build(window, 1, levels, vtkNBufferExtremum::Maximum);
+    why = texture->GetError();
+    return done;
+  };
+  for (int i = 0; i <= repetitions; ++i)
+  {
+    time("base", i, [&]() { return build(base, 1); });
+    time("arrays", i, [&]() { return build(arrays, all); });
+    time("both_extrema", i, [&]() { return build(extrema, all); });
+    time("packed", i, [&]() { return build(base, 1) && packed.Build(window, base, why); });
+    time("query_arrays", i, [&]() { return packed.Query(window, arrays, why); });
+    const std::vector<float> expected = packed.ReadDepths();
+    time("query_packed", i, [&]() { return packed.Query(window, nullptr, why); });
+    Check(packed.ReadDepths() == expected, "a query has another answer than that of the arrays");
+  }
+  for (const auto& [name, values] : times)
+  {
+    entry[name + "_ms"] = Summarize(values);
+  }
+  packed.Release();
+  for (vtkNBufferTexture* texture : { arrays.Get(), extrema.Get(), base.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  return entry;
+}
+}
+
+Json::Value MeasurePacked(
+  Session& session, const NBufferExamples::CameraPose& pose, int repetitions, int mostPixels)
+{
+  constexpr int sizes[][2] = { { 256, 256 }, { 512, 512 }, { 1024, 1024 }, { 1920, 1080 } };
+  Json::Value result(Json::arrayValue);
+  for (const int(&size)[2] : sizes)
+  {
+    if (size[0] * size[1] > mostPixels)
+    {
+      continue;
+    }
+    ShowProgress("packed levels: " + std::to_string(size[0]) + " x " + std::to_string(size[1]));
+    session.GetWindow()->SetSize(size[0], size[1]);
+    RenderAndInspect(session, pose,
+      [&](vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource&)
+      { result.append(Measure(window, size[0], size[1], repetitions)); });
+  }
+  return result;
+}
+
+} // namespace NBufferBench
