@@ -33,10 +33,15 @@ Json::Value MeasureDevice(
 Json::Value MeasurePacked(
   Session& session, const NBufferExamples::CameraPose& pose, int repetitions, int mostPixels);
 
-/// Measures what the format of depth costs, by the ratio of far to near plane. The planes of
-/// `frame` are at `near` and `far`; their ratio is the first one that is measured.
+/// Measures what a depth buffer of each format and encoding (DepthFormats.h) distinguishes, by
+/// drawing triangles at 1 m to 10 km: resolution, z-fighting, at `steps` distances for each power
+/// of ten and around each of these at as many; and polygon offset.
+Json::Value MeasureDepth(Session& session, int steps);
+
+/// Draws the scene in each format, with ratios of far to near plane from that of the pose to the
+/// largest one: what the format costs culling, litmaps and shadows.
 Json::Value MeasureFormats(
-  const NBufferStudy::DepthFrame& frame, double near, double far, int repetitions);
+  Session& session, const NBufferExamples::CameraPose& pose, double largestRatio);
 
 ///@{
 /**

@@ -36,6 +36,7 @@ struct StudyOptions
   bool IsQuick = false;
   bool IsTiny = false;
   bool PathsOnly = false;
+  bool DepthOnly = false;
   ///@{
   /// 0: as many as the extent of the run says.
   int Repetitions = 0;
@@ -61,10 +62,12 @@ struct Effort
   int FragmentFrames;
   int DeviceRepetitions;
   int MostDevicePixels;
+  int DepthSteps;      ///< Distances for each power of ten.
+  double LargestRatio; ///< Of far to near plane.
 };
-constexpr Effort Full = { 8, 7, 6, 256, 1000000, 57600, 30, 12, 4, 9, 1920 * 1080 };
-constexpr Effort Quick = { 3, 3, 2, 128, 100000, 3600, 5, 3, 1, 2, 1920 * 1080 };
-constexpr Effort Tiny = { 1, 1, 1, 16, 1000, 3600, 2, 1, 1, 1, 256 * 256 };
+constexpr Effort Full = { 8, 7, 6, 256, 1000000, 57600, 30, 12, 4, 9, 1920 * 1080, 4, 1e7 };
+constexpr Effort Quick = { 3, 3, 2, 128, 100000, 3600, 5, 3, 1, 2, 1920 * 1080, 2, 1e5 };
+constexpr Effort Tiny = { 1, 1, 1, 16, 1000, 3600, 2, 1, 1, 1, 256 * 256, 1, 1e3 };
 
 /// Whole frames are measured in these modes, in this order.
 const std::vector<std::string> Peers = { "stock", "nbuffer", "queries", "queries-conservative",
@@ -175,20 +178,20 @@ public:
     const std::vector<std::string> paths = isOfCity
       ? std::vector<std::string>{ "street", "rooftop", "drone" }
       : std::vector<std::string>{ this->Options.View.GetPathName(scene) };
-    for (const std::string& path : paths)
+    for (const std::string& path : this->Options.DepthOnly ? std::vector<std::string>() : paths)
     {
       this->RunPath(scene, session, path);
     }
-    if (!this->Options.PathsOnly)
+    if (scene.Plan && !this->Options.PathsOnly)
+    {
+      this->RunDepth(scene, session, "drone");
+    }
+    if (!this->Options.PathsOnly && !this->Options.DepthOnly)
     {
       for (const std::string& path : paths)
       {
         this->RunHierarchy(scene, session, path);
         this->RunBuilds(scene, session, path);
-      }
-      if (scene.Plan)
-      {
-        this->RunFormats(scene, session, "drone");
       }
       this->RunPaper(scene, session, paths.front());
       this->Report["device"] =
@@ -337,17 +340,18 @@ private:
     this->Report["hierarchy"].append(hierarchy);
   }
 
-  /// Measures a view from above, where nothing is near: the planes can be a hundredfold apart.
-  void RunFormats(const Scene& scene, Session& session, const std::string& name)
+  /// Measures formats of depth by themselves, and in a view from above, where nothing is near: the
+  /// planes can be a hundredfold apart.
+  void RunDepth(const Scene& scene, Session& session, const std::string& name)
   {
+    this->Report["depth"] = MeasureDepth(session, this->Spent.DepthSteps);
     CameraPose pose = this->MakePath(scene, name, 1).front();
     pose.Near = 60.0;
     pose.Far = 6000.0;
-    const DepthFrame frame = CollectFrames(session, { pose }).front();
     Json::Value& formats = this->Report["formats"];
     formats["scene"] = scene.Name;
     formats["path"] = name;
-    formats["entries"] = MeasureFormats(frame, pose.Near, pose.Far, this->Spent.Repetitions);
+    formats["entries"] = MeasureFormats(session, pose, this->Spent.LargestRatio);
     for (const Json::Value& entry : formats["entries"])
     {
       this->CountWrong("hidden with depth of " + entry["format"].asString(), entry["false_hidden"]);
@@ -393,6 +397,7 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
   command->add_flag("--paths-only", options->PathsOnly,
     "Only structures and whole frames, without queries of the hardware");
+  command->add_flag("--depth-only", options->DepthOnly, "Only formats of depth, in a city");
   const auto add = [command](const char* name, int& value, const char* help)
   { command->add_option(name, value, help)->check(CLI::Range(1, 1000)); };
   add("--repeat", options->Repetitions, "Timed repetitions of each frame; default: 7");

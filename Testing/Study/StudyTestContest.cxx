@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -87,16 +88,63 @@ TEST(StudyContest, WhatIsTooLargeIsLeftOut)
 }
 
 //------------------------------------------------------------------------------------------------
-// Formats of depth: what is visible stays so in all of them, and distances survive.
+// Formats of depth: the formulas agree with each other, and what is visible stays so in all of
+// them.
 
-/// Everything at one distance, and boxes well before and well behind it.
-DepthFrame MakeEvenFrame()
+constexpr DepthPlanes Planes = { 1.0, 1000.0 };
+
+TEST(StudyFormats, DepthsGrowWithTheDistanceAndHaveIt)
+{
+  for (const DepthFormat& format : GetDepthFormats())
+  {
+    double before = format.GetSign() < 0.0 ? -1.1 : -0.1;
+    for (const double distance : { 1.0, 1.5, 10.0, 300.0, 1000.0 })
+    {
+      const double depth = format.GetDepth(Planes, distance);
+      EXPECT_NEAR(format.GetDistance(Planes, depth), distance, 1e-9 * distance) << format.GetName();
+      EXPECT_GT(format.GetSign() * depth, before) << format.GetName();
+      before = format.GetSign() * depth;
+    }
+    EXPECT_LE(before, format.GetSign() * format.GetBackground() + 1e-12) << format.GetName();
+  }
+}
+
+TEST(StudyFormats, ResolutionIsTheStepOfStoredDepths)
+{
+  for (const DepthFormat& format : GetDepthFormats())
+  {
+    for (const double distance : { 3.0, 50.0, 700.0 })
+    {
+      const double depth = format.GetDepth(Planes, distance);
+      const double step = format.GetSign() * format.GetQuantum(depth);
+      const double next = format.GetDistance(Planes, depth + step) - distance;
+      const double last = distance - format.GetDistance(Planes, depth - step);
+      EXPECT_NEAR(format.GetResolution(Planes, distance) / (0.5 * (next + last)), 1.0, 0.05)
+        << format.GetName() << " at " << distance;
+      // What has this depth can be that much farther, but not much more.
+      EXPECT_GE(format.GetFarthest(Planes, depth), distance + 0.99 * next) << format.GetName();
+      EXPECT_LE(format.GetFarthest(Planes, depth), distance + 3.0 * next + 2e-5 * distance)
+        << format.GetName();
+    }
+  }
+}
+
+TEST(StudyFormats, StepsOfFloatsAreThoseOfTheMachine)
+{
+  const DepthFormat format = { DepthEncoding::Reversed, 0 };
+  for (const float depth : { 1.0f, 0.75f, 0.1f, 1e-6f })
+  {
+    EXPECT_EQ(format.GetQuantum(depth), std::nextafter(depth, 2.0f) - depth);
+  }
+}
+
+/// A frame with boxes well before and well behind a distance of 100.
+DepthFrame MakeBoxes()
 {
   DepthFrame frame;
   frame.Width = 120;
   frame.Height = 90;
   frame.Projection = StudyTest::LookAlongY(120, 90);
-  frame.Depth.assign(120 * 90, StudyTest::GetDepth(100.0));
   for (double y : { 60.0, 99.0, 101.0, 200.0 })
   {
     PutBox(frame, { 0.0, 5.0, y, y + 0.5, 0.0, 5.0 }, y < 100.0);
@@ -104,39 +152,61 @@ DepthFrame MakeEvenFrame()
   return frame;
 }
 
+/// The same with everything at that distance, as a buffer of this format stores it.
+DepthFrame MakeEvenFrame(const DepthFormat& format, const DepthPlanes& planes)
+{
+  const double depth = format.GetDepth(planes, 100.0);
+  const double quantum = format.GetQuantum(depth);
+  const std::vector<double> stored(120 * 90, std::round(depth / quantum) * quantum);
+  return MakeFrame(MakeBoxes(), format, planes, stored);
+}
+
 TEST(StudyFormats, NothingVisibleIsHiddenByRounding)
 {
-  const DepthFrame frame = MakeEvenFrame();
-  for (double near : { 1.0, 0.1, 1e-3, 1e-5 })
+  for (const double near : { 1.0, 0.1, 1e-3, 1e-5 })
   {
     for (const DepthFormat& format : GetDepthFormats())
     {
-      std::vector<DepthFrame> frames = { Convert(frame, 1.0, 1000.0, near, format) };
-      EXPECT_EQ(frames.front().Boxes.size(), frame.Boxes.size());
+      std::vector<DepthFrame> frames = { MakeEvenFrame(format, { near, 1000.0 }) };
+      EXPECT_EQ(frames.front().Boxes.size(), 4u);
       std::vector<ContenderPointer> contenders;
       contenders.push_back(MakeFamilyContender(DepthFamily()));
       const ContestResult result = RunContest(frames, contenders, 1, nullptr).front();
-      EXPECT_EQ(result.FalseHidden, 0) << format.Name << ", near " << near;
-      EXPECT_TRUE(result.FalseVisible == 0 || near != 1.0 || format.Bits == 16) << format.Name;
+      EXPECT_EQ(result.FalseHidden, 0) << format.GetName() << ", near " << near;
+      EXPECT_TRUE(result.FalseVisible == 0 || near != 1.0 || format.Bits == 16) << format.GetName();
     }
   }
 }
 
-TEST(StudyFormats, SlackGrowsWithTheRatioButForReversedFloats)
+TEST(StudyFormats, NothingIsBehindWhatWasNotDrawn)
 {
-  const DepthFrame frame = MakeEvenFrame();
+  for (const DepthFormat& format : GetDepthFormats())
+  {
+    std::vector<DepthFrame> frames = { MakeFrame(
+      MakeBoxes(), format, Planes, std::vector<double>(120 * 90, format.GetBackground())) };
+    std::vector<ContenderPointer> contenders;
+    contenders.push_back(MakeFamilyContender(DepthFamily()));
+    EXPECT_EQ(RunContest(frames, contenders, 1, nullptr).front().FalseVisible, 2)
+      << format.GetName();
+  }
+}
+
+TEST(StudyFormats, SlackGrowsWithTheRatioWhereDepthsAreNotRelative)
+{
   for (const DepthFormat& format : GetDepthFormats())
   {
     const auto slack = [&](double near)
     {
-      const std::vector<double> slacks =
-        GetSlacks(Convert(frame, 1.0, 1000.0, near, format), near, 1000.0, format);
-      EXPECT_GE(*std::min_element(slacks.begin(), slacks.end()), 0.0) << format.Name;
+      const DepthPlanes planes = { near, 1000.0 };
+      const std::vector<double> slacks = GetSlacks(MakeEvenFrame(format, planes), format, planes);
+      EXPECT_GE(*std::min_element(slacks.begin(), slacks.end()), 0.0) << format.GetName();
       return *std::max_element(slacks.begin(), slacks.end());
     };
-    const double growth = slack(1e-3) / slack(1.0);
-    const bool isReversedFloat = format.Bits == 0 && format.Convention != DepthConvention::Forward;
-    EXPECT_EQ(growth < 2.0, isReversedFloat) << format.Name << ": " << growth;
+    // A logarithmic depth has its steps for 8 powers of ten instead of 3.
+    const bool grows = format.Encoding == DepthEncoding::Forward ||
+      (format.Encoding == DepthEncoding::Reversed && format.Bits > 0);
+    const double growth = slack(1e-5) / slack(1.0);
+    EXPECT_EQ(growth > 3.0, grows) << format.GetName() << ": " << growth;
   }
 }
 }
