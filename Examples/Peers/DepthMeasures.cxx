@@ -103,6 +103,8 @@ DepthMeasures::Resolution DepthMeasures::MeasureResolution(double distance)
   // No surface is placed more exactly than floats are.
   const double least =
     std::max(this->Format.GetResolution(this->View.Planes, distance), distance * 0x1p-24);
+  // Those that stand for this distance.
+  const double nearby = std::max(0.05 * distance, least);
   for (double span = std::min(64.0 * least, most);; span = std::min(4.0 * span, most))
   {
     std::vector<double> distances;
@@ -140,16 +142,17 @@ DepthMeasures::Resolution DepthMeasures::MeasureResolution(double distance)
       nearest[i] = i + 1 < Tiles ? std::min(orders[i], nearest[i + 1]) : orders[i];
     }
     std::vector<double> separations;
-    for (int i = 0; i < Tiles / 2; ++i)
+    bool areAllFound = true;
+    for (int i = 0; i < Tiles / 2 && distances[i] <= distance + nearby; ++i)
     {
       const auto farther = std::upper_bound(nearest.begin(), nearest.end(), orders[i]);
-      if (farther == nearest.end())
+      areAllFound = areAllFound && farther != nearest.end();
+      if (areAllFound)
       {
-        break;
+        separations.push_back(distances[farther - nearest.begin()] - distances[i]);
       }
-      separations.push_back(distances[farther - nearest.begin()] - distances[i]);
     }
-    if (separations.size() == Tiles / 2)
+    if (areAllFound)
     {
       Resolution resolution;
       resolution.Worst = *std::max_element(separations.begin(), separations.end());
@@ -179,8 +182,9 @@ DepthMeasures::Fight DepthMeasures::CountWrongPixels(double slope, double distan
     {
       const glm::dvec3 ray = GetRay((2 * x + 1.0) / Size - 1.0, (2 * y + 1.0) / Size - 1.0);
       double distances[2];
-      if (Meet(near, ray, distances[0]) && Meet(far, ray, distances[1]) &&
-        distances[0] != distances[1])
+      const bool isCovered = Meet(near, ray, distances[0]) && Meet(far, ray, distances[1]);
+      const double first = std::min(distances[0], distances[1]);
+      if (isCovered && distances[0] != distances[1] && first > this->View.Planes.Near)
       {
         ++fight.Pixels;
         const float nearer = distances[0] < distances[1] ? 1.0f : 2.0f;

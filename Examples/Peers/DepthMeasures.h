@@ -37,7 +37,8 @@ public:
 
   /// Measures by how much a surface has to be behind another one for its stored depth to be
   /// strictly farther, as that of every surface beyond. 4,096 tiles that face the eye are drawn, at
-  /// distances from this one on and all over the image; half of them are compared.
+  /// distances from this one on and all over the image; those that are at most 5 % or a step of the
+  /// format farther, and at most half of them, are compared with the others.
   Resolution MeasureResolution(double distance);
 
   struct Fight
@@ -50,7 +51,7 @@ public:
   /// counts the pixels that show the one that is farther there. Distances are those of the axis;
   /// towards the upper side of the image the triangles recede by `slope`. Which one is farther is
   /// computed in double precision from the vertices that the device got. Pixels near the outlines
-  /// are not counted.
+  /// or before the near plane are not counted.
   Fight CountWrongPixels(double slope, double distance, double gap);
 
   struct Offset
