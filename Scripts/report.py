@@ -40,14 +40,17 @@ try:
 except ImportError as error:
     raise SystemExit(f"{__doc__}\nreport.py: {error}") from error
 
+from report_depth import DEPTH_TABLES, depths, format_entries, wrong_percent
 from report_tables import (
-    TABLES, NotMeasured, mark_pareto, number, setting_scenes, shadow_points, shadowed_percent,
+    OTHER_TABLES, NotMeasured, mark_pareto, number, setting_scenes, shadow_points, shadowed_percent,
     structures)
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the backend has to be chosen first)
 
-DOCUMENTS = ("accuracy.md", "accuracy-levels.md", "accuracy-particles.md", "accuracy-scenes.md", "accuracy-settings.md")
+DOCUMENTS = ("accuracy.md", "accuracy-depth.md", "accuracy-levels.md", "accuracy-particles.md",
+             "accuracy-scenes.md", "accuracy-settings.md")
+TABLES = {**OTHER_TABLES, **DEPTH_TABLES}
 TABLE = re.compile(r"(<!-- table: ([^\n]*?) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 # Colours of Okabe and Ito, and shapes for readers who do not tell colours apart.
@@ -66,6 +69,9 @@ SETTING_LOOKS = {
     "TestPixels": (BLACK, "x"), "BackOff": (RED, "+"),
     "TakeOverFrustumCulling": (SKY, "+"), "auto, BoxCost": (GREEN, "D"),
     "exact, BoxCost": (BLUE, "s"), "slabs, BoxCost": (PINK, "D"), "slabs, SlabGap": (ORANGE, "o")}
+DEPTH_COLORS = {
+    "16 bits": RED, "24 bits": ORANGE, "24 bits reversed": SKY, "float reversed": BLUE,
+    "16 bits W": GREY, "24 bits W": BLACK, "16 bits logarithmic": PINK, "24 bits logarithmic": GREEN}
 MODE_COLORS = {
     "none": GREY, "stock": RED, "nbuffer": BLUE, "oracle": GREEN, "unclamped": RED, "exact": BLUE,
     "clamp": SKY, "slabs": PINK, "auto": GREEN, "vtk": ORANGE}
@@ -190,6 +196,31 @@ def line_chart(lines, words, file, log_x=True):
     save(figure, file)
 
 
+def depth_charts(report, folder):
+    """Only some of the formats: the others lie on one of these lines."""
+    def lines(drawn, select):
+        return {name: (*select(points), DEPTH_COLORS[name]) for name, points in drawn
+                if name in DEPTH_COLORS}
+
+    def fight(points):
+        chosen = points[(points["gap"] == 0.1) & (points["slope"] == points["slope"].max())]
+        return chosen["distance"], wrong_percent(chosen).clip(lower=1e-3)
+    if report.get("depth"):
+        line_chart(lines(depths(report, 0.1, "resolution"), lambda points: (
+            points["distance"], points["worst"])),
+            ("near plane at 10 cm, drawn", "distance, metres",
+             "separation that is always distinguished, metres"), folder / "depth-resolution.png")
+        line_chart(lines(depths(report, 0.1, "fights"), fight),
+                   ("two slanted triangles 10 cm apart, near plane at 10 cm", "distance, metres",
+                    "wrong pixels, % (below all others: none)"), folder / "depth-fights.png")
+    if report.get("formats"):
+        entries = format_entries(report)
+        line_chart(lines(entries.groupby("format", sort=False), lambda group: (
+            group["ratio"], group["slack.median"].clip(lower=1e-4))),
+            (f"{report['formats']['scene']}, {report['formats']['path']}: formats of depth",
+             "far / near", "median slack of a box, metres"), folder / "formats.png")
+
+
 def other_charts(report, folder):
     for scene in report.get("hierarchy") or []:
         entries = pd.json_normalize(scene["entries"])
@@ -201,13 +232,7 @@ def other_charts(report, folder):
                    (f"{scene['scene']}, {scene['path']}, copies side by side", "props",
                     "milliseconds to test all of them"),
                    folder / f"hierarchy-{scene['file_name']}.png")
-    if report.get("formats"):
-        entries = pd.json_normalize(report["formats"]["entries"])
-        colors = iter((RED, BLUE, SKY, GREEN, GREY, BLACK, ORANGE, PINK))
-        line_chart({name: (group["ratio"], group["slack.median"].clip(lower=1e-4), next(colors))
-                    for name, group in entries.groupby("format", sort=False)},
-                   (f"{report['formats']['scene']}, {report['formats']['path']}: formats of depth",
-                    "far / near", "median slack of a box, metres"), folder / "formats.png")
+    depth_charts(report, folder)
     if report.get("figure4"):
         figure, axes = pyplot.subplots(1, len(report["figure4"]), figsize=(16, 3.2))
         for axis, entry in zip(axes, report["figure4"]):

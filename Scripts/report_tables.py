@@ -345,18 +345,6 @@ def hierarchy(report, path):
                  map(row, find(report.get("hierarchy"), path)["entries"]))
 
 
-def formats(report, _):
-    if not report.get("formats"):
-        raise NotMeasured
-    entries = pd.json_normalize(report["formats"]["entries"])
-    kept = 100.0 * entries["false_visible"] / entries["hidden"].clip(lower=1)
-    entries["cell"] = entries["slack.median"].map("{:.3g} m, ".format) + kept.map("{:.1f} %".format)
-    cells = entries.pivot(index="ratio", columns="format", values="cell")
-    cells = cells[list(dict.fromkeys(entries["format"]))]
-    return table(["far / near", *cells.columns],
-                 ([f"{far:.0e}", *row] for far, row in zip(cells.index, cells.values)))
-
-
 def table1(report, _):
     """The paper's sizes, levels and milliseconds (GeForce FX 6800) beside those measured here."""
     paper = {(256, 256): (8, 2.0), (512, 512): (9, 8.0), (640, 480): (10, 10.0),
@@ -505,7 +493,7 @@ def few(report, _):
          for entry in scene["entries"]))
 
 
-TABLES = {function.__name__: function for function in (
-    machine, settings_machine, frames, peers, fragments, device, single, packed, rebuild, pareto, best, chain,
-    hierarchy, formats, latent, table1, table2, particles,
+OTHER_TABLES = {function.__name__: function for function in (
+    machine, settings_machine, frames, peers, fragments, device, single, packed, rebuild, pareto,
+    best, chain, hierarchy, latent, table1, table2, particles,
     figure4, left_out, known, shadows, fill, setting, few)}

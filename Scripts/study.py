@@ -98,6 +98,11 @@ class Study:
         scene = ["--scene", *self.options.scene] if self.options.scene else []
         return self.bench("study", *scene, *self.effort.flags, "--out", self.options.out)
 
+    def depth(self):
+        """Formats of depth alone, which the structures of the city have, too."""
+        report = self.bench("study", "--depth-only", *self.effort.flags, "--out", self.options.out)
+        return {name: report[name] for name in ("depth", "formats")}
+
     def scenes(self):
         scenes, left_out = [], []
         for name, is_file, paths, in_quick, bounds in OTHER_SCENES:
@@ -210,7 +215,7 @@ def main():
                         help="fewer frames and repetitions: about 3 minutes")
     effort.add_argument("--tiny", dest="effort", action="store_const", const="tiny",
                         help="one frame of each: only whether everything runs")
-    parser.add_argument("--only", nargs="+", choices=PARTS, help="parts of the study")
+    parser.add_argument("--only", nargs="+", choices=[*PARTS, "depth"], help="parts of the study")
     parser.add_argument("--scene", nargs="+", help="another scene than the city, its structures")
     parser.add_argument("--size", help="of the images, such as 960x720")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/study"))

@@ -13,8 +13,9 @@ import subprocess
 import sys
 
 BENCH, SOURCE, OUT = (pathlib.Path(argument) for argument in sys.argv[1:])
-DOCUMENTS = ("accuracy", "accuracy-particles", "accuracy-scenes", "accuracy-settings")
-CHARTS = ("pareto-", "shadows-", "shadow-errors-", "settings-city-street", "settings-birds")
+DOCUMENTS = ("accuracy", "accuracy-depth", "accuracy-particles", "accuracy-scenes",
+             "accuracy-settings")
+CHARTS = ("depth-", "pareto-", "shadows-", "shadow-errors-", "settings-city-street", "settings-birds")
 
 
 def check(holds, message):
@@ -75,10 +76,32 @@ def check_settings(name, scene):
     check(sorted(settings) == sorted(defaults), f"{name}: defaults of {defaults} among {settings}")
 
 
+def check_depth(study):
+    """No visible box is hidden in any format; more bits, and floats near 0, distinguish more."""
+    for entry in study["formats"]["entries"]:
+        check("skipped" in entry or entry["false_hidden"] == 0,
+              f"{entry['format']}: {entry.get('false_hidden')} visible ones hidden")
+    drawn = {entry["format"]: entry for entry in study["depth"]
+             if entry["near"] == 1 and "skipped" not in entry}
+    orders = [("16 bits", "24 bits"), ("16 bits W", "24 bits W")]
+    if "float reversed" in drawn:
+        orders.append(("24 bits", "float reversed"))
+    for coarse, fine in orders:
+        far, near = ([point for point in drawn[name]["resolution"] if point["distance"] == 100][0]
+                     for name in (coarse, fine))
+        check(far["worst"] > near["worst"], f"{coarse} is finer than {fine} at 100")
+        wrong = [sum(point["wrong"] for point in drawn[name]["fights"]) for name in (coarse, fine)]
+        check(wrong[0] > wrong[1], f"{coarse} has {wrong[0]} wrong pixels, {fine} {wrong[1]}")
+    # A depth of the shader's own has no offset.
+    moved = {name: drawn[name]["offsets"][0]["moved_by_one"] for name in ("16 bits", "16 bits W")}
+    check(moved == {"16 bits": 1, "16 bits W": 0}, f"pixels that an offset moves: {moved}")
+
+
 def check_figures(study):
     check(len(study["scenes"]) == 3, f"{len(study['scenes'])} scenes instead of three paths")
     for index, scene in enumerate(study["scenes"]):
         check_scene(f"scene {index}", scene)
+    check_depth(study)
     rows = len(study["device"][0]["rows"])
     check(rows >= 15, f"{rows} rows of what the device does")
     tests = study["table2"]["tests"]

@@ -27,6 +27,7 @@ except ImportError as error:
     sys.exit(77)
 
 import report  # noqa: E402
+import report_depth as depth  # noqa: E402
 import report_tables as tables  # noqa: E402
 
 STUDY = HERE / "small-study.json"
@@ -93,6 +94,25 @@ class Figures(unittest.TestCase):
                  "tried": [{"kind": "nbuffer", "setting": "BackOff", "value": 1, "mode": "nbuffer"}]}
         self.assertEqual(tables.setting_points(scene, False)["error"][0], 20)
 
+    def test_lengths_have_the_unit_that_fits(self):
+        for metres, text in ((12345, "12.3 km"), (999.9, "1 km"), (2, "2 m"), (0.305, "305 mm"),
+                             (1.53e-4, "153 µm"), (9e-8, "90 nm"), (2e-10, "below 1 nm"),
+                             (float("nan"), "")):
+            self.assertEqual(depth.length(metres), text)
+
+    def test_distances_without_wrong_pixels(self):
+        def run(*wrong):
+            return depth.clean_run(
+                pd.DataFrame({"distance": [1, 10, 100, 1000][:len(wrong)], "wrong": wrong}))
+        self.assertEqual([run(0, 0, 0, 0), run(7, 7, 7, 7), run(0, 0, 1, 0), run(1, 0, 0, 0),
+                          run(1, 0, 0, 1)],
+                         ["everywhere", "nowhere", "to 10 m", "from 10 m", "from 10 m to 100 m"])
+
+    def test_formats_that_were_not_drawn_have_no_row(self):
+        names = [row[0] for row in rows(depth.resolution(self.study, "0.1"))]
+        self.assertEqual(names, ["16 bits", "float reversed", "24 bits W"])
+        self.assertEqual([row[0] for row in rows(depth.receivers(self.study, "1e3"))], names)
+
     def test_wrong_shadows_are_not_on_the_line(self):
         points = tables.shadow_points(self.study["shadows"][0])
         self.assertFalse((points["pareto"] & (points["wrong"] > 0)).any())
@@ -103,9 +123,11 @@ class Documents(unittest.TestCase):
         self.study = json.loads(STUDY.read_text())
 
     def test_every_table_can_be_drawn(self):
-        for name, draw in tables.TABLES.items():
+        for name, draw in report.TABLES.items():
             argument = {"pareto": "street", "best": "street", "chain": "street",
-                        "hierarchy": "street", "shadows": "birds", "setting": "RoundSize"}.get(name, "")
+                        "hierarchy": "street", "shadows": "birds", "setting": "RoundSize",
+                        "resolution": "0.1", "fights": "0.1", "gaps": "1",
+                        "receivers": "1e3"}.get(name, "")
             try:
                 text = draw(self.study, argument)
             except tables.NotMeasured:
@@ -143,7 +165,7 @@ class Documents(unittest.TestCase):
             self.assertEqual(len(fields), text.count("<!-- table: "), name)
             self.assertEqual(len(fields), text.count("<!-- end -->"), name)
             for _, field, _ in fields:
-                self.assertIn(field.split(" ")[0], tables.TABLES)
+                self.assertIn(field.split(" ")[0], report.TABLES)
 
 
 class Commands(unittest.TestCase):
@@ -160,7 +182,8 @@ class Commands(unittest.TestCase):
             self.assertIn("| the paper |", (folder / "accuracy.md").read_text())
             charts = {file.name for file in (folder / "charts").iterdir()}
             self.assertLessEqual(
-                {"pareto-city-street.png", "hierarchy-city-street.png", "formats.png", "figure-4.png",
+                {"pareto-city-street.png", "hierarchy-city-street.png", "formats.png", "depth-resolution.png",
+                 "depth-fights.png", "figure-4.png",
                  "shadows-birds.png", "shadow-errors-birds.png", "settings-birds.png",
                  "settings-plant-inside.png"}, charts)
             structures = pd.read_csv(folder / "structures.csv")
