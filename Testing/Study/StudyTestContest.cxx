@@ -152,13 +152,37 @@ DepthFrame MakeBoxes()
   return frame;
 }
 
-/// The same with everything at that distance, as a buffer of this format stores it.
-DepthFrame MakeEvenFrame(const DepthFormat& format, const DepthPlanes& planes)
+/// The same frame with everything at one distance, as a buffer of this format stores it.
+DepthFrame MakeEvenFrame(const DepthFrame& frame, const DepthFormat& format,
+  const DepthPlanes& planes, double distance = 100.0)
 {
-  const double depth = format.GetDepth(planes, 100.0);
+  const double depth = format.GetDepth(planes, distance);
   const double quantum = format.GetQuantum(depth);
   const std::vector<double> stored(120 * 90, std::round(depth / quantum) * quantum);
-  return MakeFrame(MakeBoxes(), format, planes, stored);
+  return MakeFrame(frame, format, planes, stored);
+}
+
+long long CountFalseHidden(const DepthFrame& frame)
+{
+  std::vector<ContenderPointer> contenders;
+  contenders.push_back(MakeFamilyContender(DepthFamily()));
+  return RunContest({ frame }, contenders, 0, nullptr).front().FalseHidden;
+}
+
+TEST(StudyFormats, NoSurfaceIsHiddenByItsOwnDepth)
+{
+  for (const DepthFormat& format : GetDepthFormats())
+  {
+    // Some of these are stored nearer than they are.
+    for (double distance = 60.0; distance < 160.0; distance += 1.37)
+    {
+      DepthFrame frame = MakeBoxes();
+      frame.Boxes.clear();
+      PutBox(frame, { 0.0, 5.0, distance, distance + 1e-3, 0.0, 5.0 }, true);
+      EXPECT_EQ(CountFalseHidden(MakeEvenFrame(frame, format, Planes, distance)), 0)
+        << format.GetName() << " at " << distance;
+    }
+  }
 }
 
 TEST(StudyFormats, NothingVisibleIsHiddenByRounding)
@@ -167,7 +191,7 @@ TEST(StudyFormats, NothingVisibleIsHiddenByRounding)
   {
     for (const DepthFormat& format : GetDepthFormats())
     {
-      std::vector<DepthFrame> frames = { MakeEvenFrame(format, { near, 1000.0 }) };
+      std::vector<DepthFrame> frames = { MakeEvenFrame(MakeBoxes(), format, { near, 1000.0 }) };
       EXPECT_EQ(frames.front().Boxes.size(), 4u);
       std::vector<ContenderPointer> contenders;
       contenders.push_back(MakeFamilyContender(DepthFamily()));
@@ -198,7 +222,8 @@ TEST(StudyFormats, SlackGrowsWithTheRatioWhereDepthsAreNotRelative)
     const auto slack = [&](double near)
     {
       const DepthPlanes planes = { near, 1000.0 };
-      const std::vector<double> slacks = GetSlacks(MakeEvenFrame(format, planes), format, planes);
+      const std::vector<double> slacks =
+        GetSlacks(MakeEvenFrame(MakeBoxes(), format, planes), format, planes);
       EXPECT_GE(*std::min_element(slacks.begin(), slacks.end()), 0.0) << format.GetName();
       return *std::max_element(slacks.begin(), slacks.end());
     };
