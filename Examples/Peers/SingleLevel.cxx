@@ -10,7 +10,6 @@
 #include "vtkNBufferMath.h"
 #include "vtkNBufferResourceCallback.h"
 
-#include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
@@ -24,6 +23,7 @@ constexpr int GroupSide = 16;
 
 SingleLevel::SingleLevel()
   : Pass(PeerBaseFS, "the shader of a pass does not compile on this driver")
+  , Compute(PeerReduceCS)
   , ResourceCallback(std::make_unique<vtkOpenGLResourceFreeCallback<SingleLevel>>(
       this, &SingleLevel::ReleaseGraphicsResources))
 {
@@ -36,9 +36,7 @@ SingleLevel::~SingleLevel()
 
 std::string SingleLevel::WhyNot(ReduceMethod method)
 {
-  return method == ReduceMethod::Compute && !vtkNBufferGL::HasVersion(4, 3)
-    ? "compute shaders need OpenGL 4.3"
-    : "";
+  return method == ReduceMethod::Compute ? ComputePrograms::WhyNot() : "";
 }
 
 bool SingleLevel::SetDepth(vtkOpenGLRenderWindow* window, const std::vector<float>& depth,
@@ -118,44 +116,16 @@ bool SingleLevel::ReduceByPasses(int factor, std::string& why)
   return true;
 }
 
-bool SingleLevel::CompileCompute(std::string& why)
-{
-  const unsigned int shader = glCreateShader(GL_COMPUTE_SHADER);
-  const char* text = PeerReduceCS;
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  this->ComputeProgram = glCreateProgram();
-  glAttachShader(this->ComputeProgram, shader);
-  glLinkProgram(this->ComputeProgram);
-  GLint linked = 0;
-  glGetProgramiv(this->ComputeProgram, GL_LINK_STATUS, &linked);
-  if (!linked)
-  {
-    // Where the shader did not compile, the program does not link either.
-    char log[1024] = "";
-    glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
-    why = std::string("the compute shader does not compile on this driver: ") + log;
-    glGetProgramInfoLog(this->ComputeProgram, sizeof(log), nullptr, log);
-    why += log;
-    glDeleteProgram(this->ComputeProgram);
-    this->ComputeProgram = 0;
-    vtkNBufferGL::ClearErrors();
-  }
-  glDeleteShader(shader);
-  return linked != 0;
-}
-
 bool SingleLevel::Dispatch(int factor, std::string& why)
 {
-  if (this->ComputeProgram == 0 && !this->CompileCompute(why))
+  const unsigned int program = this->Compute.Use(why);
+  if (program == 0)
   {
     return false;
   }
-  glUseProgram(this->ComputeProgram);
-  glUniform1i(glGetUniformLocation(this->ComputeProgram, "depth"), 0);
-  glUniform2i(
-    glGetUniformLocation(this->ComputeProgram, "size"), this->PixelWidth, this->PixelHeight);
-  glUniform1i(glGetUniformLocation(this->ComputeProgram, "factor"), factor);
+  glUniform1i(glGetUniformLocation(program, "depth"), 0);
+  glUniform2i(glGetUniformLocation(program, "size"), this->PixelWidth, this->PixelHeight);
+  glUniform1i(glGetUniformLocation(program, "factor"), factor);
   glBindTexture(GL_TEXTURE_2D, this->Depth.GetName());
   glBindImageTexture(0, this->Targets[0].GetName(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   glDispatchCompute(static_cast<GLuint>(vtkNBufferMath::GetBaseSize(this->PixelWidth, GroupSide)),
@@ -184,39 +154,13 @@ bool SingleLevel::Reduce(ReduceMethod method, int factor, std::string& why)
   const vtkNBufferGL::ScopedPass pass(this->Window);
   this->Width = vtkNBufferMath::GetBaseSize(this->PixelWidth, factor);
   this->Height = vtkNBufferMath::GetBaseSize(this->PixelHeight, factor);
-  this->Timer = vtkNBufferGL::HasVersion(3, 3) && vtkOpenGLRenderTimer::IsSupported()
-    ? std::make_unique<vtkOpenGLRenderTimer>()
-    : nullptr;
-  if (this->Timer)
-  {
-    // Rasterisers that collect draws before they begin would begin to count with the last of them,
-    // and those that dispatch at once would not count that at all.
-    this->Timer->Start();
-    glFlush();
-  }
+  this->Timer.Start();
   const bool done = method == ReduceMethod::Compute ? this->Dispatch(factor, why)
     : method == ReduceMethod::Passes
     ? this->ReduceByPasses(factor, why)
     : this->DrawPass(this->Depth.GetName(), this->PixelWidth, this->PixelHeight, factor, 0, why);
-  if (this->Timer)
-  {
-    this->Timer->Stop();
-    glFlush();
-  }
+  this->Timer.Stop();
   return done && vtkNBufferGL::CheckErrors("Reducing depth", why);
-}
-
-double SingleLevel::GetDeviceTime()
-{
-  if (!this->Timer)
-  {
-    return -1.0;
-  }
-  glFinish();
-  while (!this->Timer->Ready())
-  {
-  }
-  return 1e-6 * static_cast<double>(this->Timer->GetElapsedNanoseconds());
 }
 
 bool SingleLevel::Download(std::vector<float>& level, std::string& why)
@@ -239,9 +183,8 @@ void SingleLevel::ReleaseGraphicsResources(vtkWindow*)
   this->Targets[0].Delete();
   this->Targets[1].Delete();
   this->Pass.Delete();
-  glDeleteProgram(this->ComputeProgram);
-  this->ComputeProgram = 0;
-  this->Timer.reset();
+  this->Compute.Delete();
+  this->Timer.Delete();
   this->PixelWidth = this->PixelHeight = this->Width = this->Height = 0;
   this->Window = nullptr;
 }

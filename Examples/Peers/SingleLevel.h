@@ -18,6 +18,9 @@
 #ifndef SingleLevel_h
 #define SingleLevel_h
 
+#include "ComputePrograms.h"
+#include "DeviceTimer.h"
+
 #include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGLObject.h"
 
@@ -25,7 +28,6 @@
 #include <string>
 #include <vector>
 
-class vtkOpenGLRenderTimer;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 template <class T>
@@ -63,7 +65,7 @@ public:
 
   /// Waits for the last Reduce(), and returns the milliseconds that the device took for it by a
   /// timer query, or -1 where there are no timers.
-  double GetDeviceTime();
+  double GetDeviceTime() { return this->Timer.GetMilliseconds(); }
 
   /// Waits for the level, and reads its GetWidth() x GetHeight() texels.
   bool Download(std::vector<float>& level, std::string& why);
@@ -78,7 +80,6 @@ private:
     unsigned int source, int width, int height, int factor, int target, std::string& why);
   bool ReduceByPasses(int factor, std::string& why);
   bool Dispatch(int factor, std::string& why);
-  bool CompileCompute(std::string& why);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   int PixelWidth = 0;
@@ -88,8 +89,8 @@ private:
   vtkNBufferGL::GrowingTexture Depth;
   vtkNBufferGL::GrowingTexture Targets[2]; ///< The level is in the first one.
   vtkNBufferGL::FullScreenPass Pass;
-  unsigned int ComputeProgram = 0;
-  std::unique_ptr<vtkOpenGLRenderTimer> Timer;
+  ComputePrograms Compute;
+  DeviceTimer Timer;
   std::unique_ptr<vtkOpenGLResourceFreeCallback<SingleLevel>> ResourceCallback;
 };
 

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DeviceTimer.h"
+
+#include "vtkNBufferGL.h"
+
+#include "vtkOpenGLRenderTimer.h"
+
+namespace NBufferPeers
+{
+
+DeviceTimer::DeviceTimer() = default;
+DeviceTimer::~DeviceTimer() = default;
+
+void DeviceTimer::Start()
+{
+  this->Timer = vtkNBufferGL::HasVersion(3, 3) && vtkOpenGLRenderTimer::IsSupported()
+    ? std::make_unique<vtkOpenGLRenderTimer>()
+    : nullptr;
+  if (this->Timer)
+  {
+    // Rasterisers that collect draws before they begin would begin to count with the last of them,
+    // and those that dispatch at once would not count that at all.
+    this->Timer->Start();
+    glFlush();
+  }
+}
+
+void DeviceTimer::Stop()
+{
+  if (this->Timer)
+  {
+    this->Timer->Stop();
+    glFlush();
+  }
+}
+
+double DeviceTimer::GetMilliseconds()
+{
+  if (!this->Timer)
+  {
+    return -1.0;
+  }
+  glFinish();
+  while (!this->Timer->Ready())
+  {
+  }
+  return 1e-6 * static_cast<double>(this->Timer->GetElapsedNanoseconds());
+}
+
+void DeviceTimer::Delete()
+{
+  this->Timer.reset();
+}
+
+} // namespace NBufferPeers

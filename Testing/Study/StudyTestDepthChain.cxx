@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Mip chains and one level of several images on the device equal the double loop, bit for bit.
+#include "DepthChain.h"
+#include "OffscreenFixture.h"
+#include "StudyImage.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <cstring>
+#include <utility>
+
+namespace
+{
+using NBufferPeers::ChainEdges;
+using NBufferPeers::DepthChain;
+using NBufferPeers::GroupForm;
+using StudyTest::Image;
+
+constexpr std::pair<int, int> Sizes[] = { { 1, 1 }, { 1, 37 }, { 41, 2 }, { 7, 3 }, { 16, 16 },
+  { 17, 33 }, { 103, 111 }, { 64, 64 }, { 301, 173 }, { 511, 129 } };
+
+constexpr int AllLevels = 64;
+
+struct Interval
+{
+  int Begin;
+  int End;
+};
+
+/// Returns the pixels along an axis that a texel of a chain covers.
+Interval GetCovered(ChainEdges edges, int size, int level, int texel)
+{
+  if (level == 0)
+  {
+    return { texel, texel + 1 };
+  }
+  const int below = DepthChain::GetLevelSize(size, level - 1);
+  const bool isLast = texel == DepthChain::GetLevelSize(size, level) - 1;
+  const bool hasThird = below % 2 == 1 && (edges == ChainEdges::Exact || isLast);
+  const int last = std::min(2 * texel + 1 + hasThird, below - 1);
+  return { GetCovered(edges, size, level - 1, 2 * texel).Begin,
+    GetCovered(edges, size, level - 1, last).End };
+}
+
+class StudyDepthChain : public OffscreenFixture
+{
+protected:
+  void SetUp() override
+  {
+    OffscreenFixture::SetUp();
+    if (!this->IsSkipped())
+    {
+      this->Window = NewWindow(32, 32);
+    }
+  }
+
+  void SetDepth(const std::vector<Image>& images)
+  {
+    std::vector<std::vector<float>> layers;
+    for (const Image& image : images)
+    {
+      layers.push_back(image.Depth);
+    }
+    std::string why;
+    ASSERT_TRUE(
+      this->Chain.SetDepth(this->Window, layers, images.front().Width, images.front().Height, why))
+      << why;
+  }
+
+  /// Compares a level with the farthest depths of the pixels that its texels cover.
+  template <typename Cover>
+  static void Compare(const Image& image, const std::vector<float>& level, int width, int height,
+    const std::string& what, Cover&& cover)
+  {
+    ASSERT_EQ(level.size(), static_cast<std::size_t>(width) * height) << what;
+    for (const auto& [x, y] : Pixels(width, height))
+    {
+      const Interval columns = cover(image.Width, x);
+      const Interval rows = cover(image.Height, y);
+      const float expected = image.Scan({ columns.Begin, rows.Begin, columns.End, rows.End });
+      const float found = level[static_cast<std::size_t>(y) * width + x];
+      ASSERT_EQ(std::memcmp(&expected, &found, sizeof(float)), 0)
+        << what << ", texel (" << x << ", " << y << ") of " << image.Width << " x " << image.Height
+        << ": expected " << expected << ", found " << found;
+    }
+  }
+
+  void CompareChain(ChainEdges edges, const std::vector<Image>& images, int count)
+  {
+    std::string why;
+    ASSERT_TRUE(this->Chain.BuildChain(edges, count, why)) << why;
+    const int levels = std::min(count + 1, this->Chain.GetNumberOfLevels());
+    for (int level = 0; level < levels; ++level)
+    {
+      for (std::size_t layer = 0; layer < images.size(); ++layer)
+      {
+        std::vector<float> texels;
+        ASSERT_TRUE(this->Chain.DownloadChain(level, static_cast<int>(layer), texels, why)) << why;
+        const Image& image = images[layer];
+        Compare(image, texels, DepthChain::GetLevelSize(image.Width, level),
+          DepthChain::GetLevelSize(image.Height, level), "level " + std::to_string(level),
+          [=](int size, int texel) { return GetCovered(edges, size, level, texel); });
+      }
+    }
+  }
+
+  void CompareGroups(const GroupForm& form, const std::vector<Image>& images)
+  {
+    std::string why;
+    ASSERT_TRUE(this->Chain.BuildGroups(form, why)) << why;
+    for (std::size_t layer = 0; layer < images.size(); ++layer)
+    {
+      std::vector<float> texels;
+      ASSERT_TRUE(this->Chain.DownloadGroups(static_cast<int>(layer), texels, why)) << why;
+      const Image& image = images[layer];
+      Compare(image, texels, (image.Width + 15) / 16, (image.Height + 15) / 16,
+        "side " + std::to_string(form.Side) + (form.Gather ? ", gather" : "") +
+          (form.Atomics ? ", atomics" : ""),
+        [](int size, int texel) {
+          return Interval{ 16 * texel, std::min(16 * texel + 16, size) };
+        });
+    }
+  }
+
+  static std::vector<Image> MakeEyes(int width, int height)
+  {
+    return { Image(width, height, 7), Image(width, height, 8) };
+  }
+
+  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
+  DepthChain Chain;
+};
+
+TEST_F(StudyDepthChain, AllLevelsAreTheDoubleLoop)
+{
+  for (const auto& [width, height] : Sizes)
+  {
+    const std::vector<Image> images = MakeEyes(width, height);
+    this->SetDepth(images);
+    for (ChainEdges edges : { ChainEdges::Exact, ChainEdges::Fat })
+    {
+      this->CompareChain(edges, images, AllLevels);
+    }
+  }
+}
+
+TEST_F(StudyDepthChain, ExactTexelsHaveAllAtTheirPlace)
+{
+  for (int size = 1; size < 300; ++size)
+  {
+    for (int level = 0; (size >> level) > 0; ++level)
+    {
+      const int texels = DepthChain::GetLevelSize(size, level);
+      for (int texel = 0; texel < texels; ++texel)
+      {
+        const Interval covered = GetCovered(ChainEdges::Exact, size, level, texel);
+        ASSERT_LE(covered.Begin, texel * size / texels);
+        ASSERT_GE(covered.End, ((texel + 1) * size + texels - 1) / texels);
+      }
+    }
+  }
+}
+
+TEST_F(StudyDepthChain, FewerLevelsCanBeBuilt)
+{
+  const std::vector<Image> images = MakeEyes(61, 45);
+  this->SetDepth(images);
+  this->CompareChain(ChainEdges::Exact, images, AllLevels);
+  this->CompareChain(ChainEdges::Fat, images, 1);
+  // What is above has not been built again.
+  std::vector<float> above;
+  std::string why;
+  ASSERT_TRUE(this->Chain.DownloadChain(2, 1, above, why)) << why;
+  Compare(images[1], above, 15, 11, "level 2",
+    [](int size, int texel) { return GetCovered(ChainEdges::Exact, size, 2, texel); });
+}
+
+TEST_F(StudyDepthChain, GroupsOfAllFormsAreTheDoubleLoop)
+{
+  if (!DepthChain::WhyNotGroups().empty())
+  {
+    GTEST_SKIP() << DepthChain::WhyNotGroups();
+  }
+  for (const auto& [width, height] : Sizes)
+  {
+    const std::vector<Image> images = MakeEyes(width, height);
+    this->SetDepth(images);
+    for (int side : { 2, 4, 8, 16 })
+    {
+      for (bool atomics : { false, true })
+      {
+        this->CompareGroups({ side, false, atomics }, images);
+        if (side < 16)
+        {
+          this->CompareGroups({ side, true, atomics }, images);
+        }
+      }
+    }
+  }
+}
+}
