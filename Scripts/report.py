@@ -278,12 +278,13 @@ def ranks_chart(files, file):
 
 
 def load(files):
-    """One report of several files: a later one replaces the shadows and settings of those before."""
+    """One report of several files: parts of a later one replace those before."""
     reports = [json.loads(pathlib.Path(file).read_text()) for file in files]
     merged = reports[0]
     for report in reports[1:]:
-        if report.get("shadows"):
-            merged["shadows"] = report["shadows"]
+        for part in ("shadows", "device", "early"):
+            if report.get(part):
+                merged[part] = report[part]
         for part, value in (report.get("settings") or {}).items():
             if isinstance(value, list) or part not in merged.get("settings", {}):
                 merged.setdefault("settings", {})[part] = value

@@ -256,6 +256,19 @@ def fragments(report, _):
                                    key=lambda item: PEERS.index(item[0]))))
 
 
+def early(report, _):
+    modes = ["stock", "early-depth", "nbuffer", "early-depth-nbuffer", "oracle"]
+    return table(
+        ["path", "mode", "ms (p10 to p90)", "props drawn", "draws", "fragments for depth alone",
+         "fragments with colours", "of these for each pixel shown", "wrong bytes"],
+        ([title(walk), name, span(times_of(walk["modes"][name])), walk["modes"][name]["drawn"],
+          walk["fragments"][name]["draws"], walk["fragments"][name]["of_depth"],
+          walk["fragments"][name]["passed"],
+          walk["fragments"][name]["passed"] / max(walk["fragments"][name]["shown"], 1),
+          str(walk["modes"][name]["differing_bytes"])]
+         for walk in report.get("early") or [] for name in modes))
+
+
 def latent(report, _):
     return table(
         ["path", "poses ago", "frames", "frames with wrong pixels", "visible props missing",
@@ -331,6 +344,45 @@ def rebuild(report, _):
           *(entry[name + "_percent"] for name in ("changed", "stale", "built")),
           span(entry["whole_ms"]), span(entry["rebuild_ms"])]
          for entry in report.get("rebuild") or []))
+
+
+def eyes_row(entry, name):
+    return next((row for row in entry.get("eyes") or [] if row["name"] == name), {})
+
+
+def eyes_size(entry):
+    return f"{entry['width']} x {entry['height']}"
+
+
+def both_times(row):
+    """Until the device has finished, and what its timer says."""
+    return " / ".join(number(median_of(row[name])) for name in ("build_ms", "device_ms")
+                      if row.get(name)) or "not measured"
+
+
+EYES = {"exact chain": "exact chain", "fat chain": "fat chain",
+        "exact chain, levels 1 to 4": "its levels 1 to 4", "pass": "1/16 by a pass",
+        "groups 4 x 4, gather, atomics": "1/16 by groups", "N-buffer, all levels": "N-buffer",
+        "N-buffer, all levels on 1/4": "N-buffer on 1/4"}
+
+
+def eyes(report, _):
+    """Turitzin's figures (GeForce GTX 980 and Radeon R9 290) above those measured here."""
+    rows = [[eyes_size(entry), *(both_times(eyes_row(entry, name)) for name in EYES)]
+            for entry in report.get("device") or [] if entry.get("eyes")]
+    if rows:
+        rows.insert(0, ["1648 x 1776, GTX 980", "0.25", "", "0.22", "", "0.12", "", ""])
+        rows.insert(1, ["1648 x 1776, R9 290", "0.30", "", "0.25", "", "0.08", "", ""])
+    return table(["two eyes of", *(f"{title} ms" for title in EYES.values())], rows)
+
+
+def groups(report, _):
+    entries = [entry for entry in report.get("device") or [] if entry.get("eyes")]
+    names = [row["name"] for row in (entries or [{"eyes": []}])[-1]["eyes"]
+             if row["name"].startswith("groups ")]
+    return table(["invocations, reads, result", *(eyes_size(entry) + ", ms" for entry in entries)],
+                 ([name[len("groups "):], *(both_times(eyes_row(entry, name)) for entry in entries)]
+                  for name in names))
 
 
 def hierarchy(report, path):
@@ -494,6 +546,6 @@ def few(report, _):
 
 
 OTHER_TABLES = {function.__name__: function for function in (
-    machine, settings_machine, frames, peers, fragments, device, single, packed, rebuild, pareto,
-    best, chain, hierarchy, latent, table1, table2, particles,
+    machine, settings_machine, frames, peers, fragments, early, device, single, eyes, groups, packed,
+    rebuild, pareto, best, chain, hierarchy, latent, table1, table2, particles,
     figure4, left_out, known, shadows, fill, setting, few)}

@@ -23,7 +23,8 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PARTS = ("structures", "scenes", "settings", "shadow-settings", "shadows")
+PARTS = ("structures", "early", "scenes", "settings", "shadow-settings", "shadows")
+FEWER = ("depth", "device")  # Of a part above; only on request.
 IMAGES_DIFFER = 2
 
 Effort = collections.namedtuple(
@@ -102,6 +103,20 @@ class Study:
         """Formats of depth alone, which the structures of the city have, too."""
         report = self.bench("study", "--depth-only", *self.effort.flags, "--out", self.options.out)
         return {name: report[name] for name in ("depth", "formats")}
+
+    def device(self):
+        """Of the structures what runs on the graphics device."""
+        report = self.bench("study", *self.effort.flags, "--device-only", "--out", self.options.out)
+        return {name: report[name] for name in ("device", "packed")}
+
+    def early(self):
+        """Depth before colours, alone and with the culler; fragments in a fourth of the frames."""
+        frames = self.effort.settings_frames * 2
+        return {"early": [self.bench(
+            "walk", "--scene", "city", "--path", path, "--frames", frames, "--verify",
+            "--fragments", max(frames // 4, 1), "--modes",
+            "none,stock,nbuffer,early-depth,early-depth-nbuffer,oracle")
+            for path in self.effort.settings_paths if path != "cuts"]}
 
     def scenes(self):
         scenes, left_out = [], []
@@ -215,7 +230,7 @@ def main():
                         help="fewer frames and repetitions: about 3 minutes")
     effort.add_argument("--tiny", dest="effort", action="store_const", const="tiny",
                         help="one frame of each: only whether everything runs")
-    parser.add_argument("--only", nargs="+", choices=[*PARTS, "depth"], help="parts of the study")
+    parser.add_argument("--only", nargs="+", choices=PARTS + FEWER, help="parts of the study")
     parser.add_argument("--scene", nargs="+", help="another scene than the city, its structures")
     parser.add_argument("--size", help="of the images, such as 960x720")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/study"))

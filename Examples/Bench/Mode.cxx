@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mode.h"
 
+#include "EarlyDepthPass.h"
 #include "ModeSettings.h"
 
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
+#include "vtkNew.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -32,7 +35,8 @@ constexpr QueryMode QueryModes[] = { { "queries", QueryMethod::Flat, QueryTarget
 /// Returns the names of all modes, without settings.
 std::vector<std::string> GetNames()
 {
-  std::vector<std::string> names = { "stock", "none", "nbuffer", "oracle", "in-view", "same-list" };
+  std::vector<std::string> names = { "stock", "none", "nbuffer", "oracle", "in-view", "same-list",
+    "early-depth", "early-depth-nbuffer" };
   for (const QueryMode& mode : QueryModes)
   {
     names.emplace_back(mode.Name);
@@ -61,12 +65,19 @@ Mode::Mode(const std::string& name, const std::string& backend)
     }
     throw std::runtime_error(message);
   }
-  const bool isNBuffer = kind == "nbuffer";
+  const bool isEarly = kind == "early-depth" || kind == "early-depth-nbuffer";
+  const bool isNBuffer = kind == "nbuffer" || kind == "early-depth-nbuffer";
   if (kind != name && !isNBuffer)
   {
     throw std::runtime_error("mode " + kind + " has no settings, nbuffer has");
   }
-  if (kind == "stock" || isNBuffer)
+  if (isEarly)
+  {
+    vtkNew<vtkRenderStepsPass> steps;
+    steps->SetOpaquePass(vtkNew<NBufferPeers::EarlyDepthPass>());
+    this->Pass = steps;
+  }
+  if (kind == "stock" || isEarly || isNBuffer)
   {
     this->Cullers.push_back(vtkSmartPointer<vtkFrustumCoverageCuller>::New());
   }
@@ -100,10 +111,12 @@ void Mode::Enter(vtkRenderer* renderer)
   {
     renderer->AddCuller(culler);
   }
+  renderer->SetPass(this->Pass);
 }
 
 void Mode::Leave(vtkRenderer* renderer)
 {
+  renderer->SetPass(nullptr);
   this->Cullers.clear();
   vtkCullerCollection* cullers = renderer->GetCullers();
   vtkCollectionSimpleIterator iterator;

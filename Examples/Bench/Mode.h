@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class Mode
- * @brief A set of cullers that takes its turn in the one renderer that all modes share.
+ * @brief A set of cullers, or a render pass, that takes its turn in the one renderer that all modes
+ * share.
  *
  * All modes share props, buffers and textures. Each mode has its own cullers, which know only the
- * frames of their mode. Enter() restores the cullers in the order that they had at Leave().
+ * frames of their mode, and its own render pass, if it has one. Enter() restores the cullers in the
+ * order that they had at Leave().
  */
 #ifndef Mode_h
 #define Mode_h
@@ -20,6 +22,7 @@
 #include <string>
 #include <vector>
 
+class vtkRenderPass;
 class vtkRenderer;
 
 namespace NBufferBench
@@ -34,8 +37,9 @@ public:
   /// same-list: what nbuffer draws of composite data (SameList.h), without tests. queries,
   /// queries-conservative, queries-count: an occlusion query for each prop, of the exact, the
   /// conservative or the counting kind; the mode waits for each answer. chc: coherent hierarchical
-  /// culling by exact queries. The back-end of nbuffer is auto, opengl or cpu. Throws
-  /// std::runtime_error for an unknown name.
+  /// culling by exact queries. early-depth: stock, each prop first without colours; with the
+  /// suffix -nbuffer together with vtkNBufferCuller. The back-end of nbuffer is auto, opengl or
+  /// cpu. Throws std::runtime_error for an unknown name.
   explicit Mode(const std::string& name, const std::string& backend = "auto");
 
   const std::string& GetName() const { return this->Name; }
@@ -59,6 +63,7 @@ private:
   vtkSmartPointer<vtkNBufferCuller> NBuffer;
   vtkSmartPointer<OracleCuller> Oracle;
   vtkSmartPointer<NBufferPeers::QueryCuller> Queries;
+  vtkSmartPointer<vtkRenderPass> Pass; ///< Of the renderer, or nullptr.
 };
 
 } // namespace NBufferBench

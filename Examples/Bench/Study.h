@@ -48,6 +48,7 @@ Json::Value MeasureFormats(
  * The fragments that the draws of a frame leave in the framebuffer: the samples that pass the depth
  * test when their prop is drawn (GL_SAMPLES_PASSED around each draw of a prop, in the order and as
  * often as the mode draws them, the smallest of three counts; boxes of queries are not counted).
+ * Those of draws without colours are counted apart from the others.
  *
  * They are measured in `frames` frames spread over the path, each after the one before it on the
  * path. GetFragmentsObstacle() returns why that is impossible, or an empty text: draws are

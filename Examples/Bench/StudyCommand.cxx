@@ -37,6 +37,7 @@ struct StudyOptions
   bool IsTiny = false;
   bool PathsOnly = false;
   bool DepthOnly = false;
+  bool DeviceOnly = false;
   ///@{
   /// 0: as many as the extent of the run says.
   int Repetitions = 0;
@@ -65,7 +66,7 @@ struct Effort
   int DepthSteps;      ///< Distances for each power of ten.
   double LargestRatio; ///< Of far to near plane.
 };
-constexpr Effort Full = { 8, 7, 6, 256, 1000000, 57600, 30, 12, 4, 9, 1920 * 1080, 4, 1e7 };
+constexpr Effort Full = { 8, 7, 6, 256, 1000000, 57600, 30, 12, 4, 9, 1648 * 1776, 4, 1e7 };
 constexpr Effort Quick = { 3, 3, 2, 128, 100000, 3600, 5, 3, 1, 2, 1920 * 1080, 2, 1e5 };
 constexpr Effort Tiny = { 1, 1, 1, 16, 1000, 3600, 2, 1, 1, 1, 256 * 256, 1, 1e3 };
 
@@ -178,22 +179,16 @@ public:
     const std::vector<std::string> paths = isOfCity
       ? std::vector<std::string>{ "street", "rooftop", "drone" }
       : std::vector<std::string>{ this->Options.View.GetPathName(scene) };
-    for (const std::string& path : this->Options.DepthOnly ? std::vector<std::string>() : paths)
+    if (!this->Options.DepthOnly && !this->Options.DeviceOnly)
     {
-      this->RunPath(scene, session, path);
+      this->RunAllButDevice(scene, session, paths);
     }
-    if (scene.Plan && !this->Options.PathsOnly)
+    if (scene.Plan && !this->Options.PathsOnly && !this->Options.DeviceOnly)
     {
       this->RunDepth(scene, session, "drone");
     }
     if (!this->Options.PathsOnly && !this->Options.DepthOnly)
     {
-      for (const std::string& path : paths)
-      {
-        this->RunHierarchy(scene, session, path);
-        this->RunBuilds(scene, session, path);
-      }
-      this->RunPaper(scene, session, paths.front());
       this->Report["device"] =
         MeasureDevice(session, this->MakePath(scene, paths.front(), 1).front(),
           this->Spent.DeviceRepetitions, this->Spent.MostDevicePixels);
@@ -206,6 +201,24 @@ public:
   }
 
 private:
+  void RunAllButDevice(const Scene& scene, Session& session, const std::vector<std::string>& paths)
+  {
+    for (const std::string& path : paths)
+    {
+      this->RunPath(scene, session, path);
+    }
+    if (this->Options.PathsOnly)
+    {
+      return;
+    }
+    for (const std::string& path : paths)
+    {
+      this->RunHierarchy(scene, session, path);
+      this->RunBuilds(scene, session, path);
+    }
+    this->RunPaper(scene, session, paths.front());
+  }
+
   /// Notes visible props that were hidden and bytes that differ.
   void CountWrong(const std::string& what, const Json::Value& count)
   {
@@ -398,6 +411,8 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   command->add_flag("--paths-only", options->PathsOnly,
     "Only structures and whole frames, without queries of the hardware");
   command->add_flag("--depth-only", options->DepthOnly, "Only formats of depth, in a city");
+  command->add_flag("--device-only", options->DeviceOnly,
+    "Only what runs on the graphics device: levels, chains and single levels by size");
   const auto add = [command](const char* name, int& value, const char* help)
   { command->add_option(name, value, help)->check(CLI::Range(1, 1000)); };
   add("--repeat", options->Repetitions, "Timed repetitions of each frame; default: 7");

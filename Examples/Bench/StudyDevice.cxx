@@ -4,6 +4,7 @@
 #include "Study.h"
 #include "StudyFrames.h"
 
+#include "DepthChain.h"
 #include "SingleLevel.h"
 
 #include "vtkNBufferClock.h"
@@ -13,6 +14,7 @@
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkOpenGLRenderWindow.h"
 
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -20,6 +22,9 @@ namespace NBufferBench
 {
 namespace
 {
+using NBufferPeers::ChainEdges;
+using NBufferPeers::DepthChain;
+using NBufferPeers::GroupForm;
 using NBufferPeers::ReduceMethod;
 using NBufferPeers::SingleLevel;
 
@@ -80,10 +85,10 @@ void Check(bool done, const char* what, const std::string& why)
 }
 
 /// Measures building levels by build(), on the device alone by getDeviceTime() (not above 0 where
-/// that is not possible), and reading them back by read().
-template <typename Build, typename Read, typename GetDeviceTime>
-Json::Value RepeatOnDevice(
-  const Drawn& drawn, Build&& build, Read&& read, GetDeviceTime&& getDeviceTime)
+/// that is not possible), and reading them back by read(), if there is one.
+template <typename Build, typename GetDeviceTime>
+Json::Value RepeatOnDevice(const Drawn& drawn, Build&& build, GetDeviceTime&& getDeviceTime,
+  const std::function<void()>& read = {})
 {
   return Repeat(drawn.Repetitions,
     [&](Times& times)
@@ -93,10 +98,14 @@ Json::Value RepeatOnDevice(
       build();
       drawn.Window->WaitForCompletion();
       const double built = clock.Restart();
-      read();
-      const double read = clock.GetMilliseconds();
       times["build_ms"].push_back(built);
-      times["read_ms"].push_back(read);
+      if (read)
+      {
+        clock.Restart();
+        read();
+        const double transferred = clock.GetMilliseconds();
+        times["read_ms"].push_back(transferred);
+      }
       const double device = getDeviceTime();
       if (device > 0.0)
       {
@@ -118,12 +127,12 @@ Json::Value MeasureModule(const Drawn& drawn, const char* name, int factor, int 
               drawn.GetHeight(), factor, levels, vtkNBufferExtremum::Maximum),
         "no levels by OpenGL: ", texture->GetError());
     },
+    [&]() { return texture->GetDeviceTime(); },
     [&]()
     {
       Check(
         texture->Download(drawn.Window, host), "levels cannot be read back: ", texture->GetError());
-    },
-    [&]() { return texture->GetDeviceTime(); });
+    });
   Json::Value row = MakeRow(drawn, name, factor, texture->GetNumberOfLevels(), times);
   texture->ReleaseGraphicsResources(drawn.Window);
   return row;
@@ -160,10 +169,142 @@ Json::Value MeasureSingle(
   std::string why;
   times = RepeatOnDevice(
     drawn, [&]() { Check(single.Reduce(method, factor, why), "no level by OpenGL: ", why); },
-    [&]() { Check(single.Download(level, why), "no level by OpenGL: ", why); },
-    [&]() { return single.GetDeviceTime(); });
+    [&]() { return single.GetDeviceTime(); },
+    [&]() { Check(single.Download(level, why), "no level by OpenGL: ", why); });
   return MakeRow(drawn, name, factor, 1, times);
 }
+
+/// Measures what is built for two eyes at a time. Both have the same depth, which no time depends
+/// on.
+class EyesStudy
+{
+public:
+  EyesStudy(const Drawn& drawn, const std::vector<float>& depth)
+    : Screen(drawn)
+    , Depth(depth)
+  {
+  }
+
+  Json::Value Run()
+  {
+    Check(this->Chain.SetDepth(this->Screen.Window, { this->Depth, this->Depth },
+            this->Screen.GetWidth(), this->Screen.GetHeight(), this->Why),
+      "no array of depth: ", this->Why);
+    this->AddChain("exact chain", ChainEdges::Exact, AllLevels);
+    this->AddChain("fat chain", ChainEdges::Fat, AllLevels);
+    this->AddChain("exact chain, levels 1 to 4", ChainEdges::Exact, 4);
+    this->AddChain("fat chain, levels 1 to 4", ChainEdges::Fat, 4);
+    for (int side : { 16, 8, 4, 2 })
+    {
+      for (bool atomics : { true, false })
+      {
+        this->AddGroups({ side, false, atomics });
+        if (side < 16)
+        {
+          this->AddGroups({ side, true, atomics });
+        }
+      }
+    }
+    this->AddPasses();
+    this->AddModule("N-buffer, all levels", 1);
+    this->AddModule("N-buffer, all levels on 1/4", 4);
+    this->Chain.ReleaseGraphicsResources(this->Screen.Window);
+    return this->Rows;
+  }
+
+private:
+  template <typename Build, typename GetDeviceTime>
+  void Add(const std::string& name, const std::string& obstacle, Build&& build,
+    GetDeviceTime&& getDeviceTime)
+  {
+    Json::Value row;
+    if (obstacle.empty())
+    {
+      row = RepeatOnDevice(this->Screen, build, getDeviceTime);
+    }
+    else
+    {
+      row["skipped"] = obstacle;
+    }
+    row["name"] = name;
+    this->Rows.append(row);
+  }
+
+  void AddChain(const char* name, ChainEdges edges, int levels)
+  {
+    this->Add(
+      name, "",
+      [=]() { Check(this->Chain.BuildChain(edges, levels, this->Why), "no chain: ", this->Why); },
+      [this]() { return this->Chain.GetDeviceTime(); });
+  }
+
+  void AddGroups(const GroupForm& form)
+  {
+    const std::string side = std::to_string(form.Side);
+    this->Add(
+      "groups " + side + " x " + side + (form.Gather ? ", gather" : ", fetch") +
+        (form.Atomics ? ", atomics" : ", tree"),
+      DepthChain::WhyNotGroups(),
+      [=]() { Check(this->Chain.BuildGroups(form, this->Why), "no level: ", this->Why); },
+      [this]() { return this->Chain.GetDeviceTime(); });
+  }
+
+  /// One level of 1/16 by a fragment pass for each eye.
+  void AddPasses()
+  {
+    constexpr int factor = 16;
+    SingleLevel eyes[2];
+    for (SingleLevel& eye : eyes)
+    {
+      Check(eye.SetDepth(this->Screen.Window, this->Depth, this->Screen.GetWidth(),
+              this->Screen.GetHeight(), this->Why),
+        "no texture of depth: ", this->Why);
+    }
+    this->Add(
+      "pass", "",
+      [&]()
+      {
+        for (SingleLevel& eye : eyes)
+        {
+          Check(eye.Reduce(ReduceMethod::OnePass, factor, this->Why), "no level: ", this->Why);
+        }
+      },
+      [&]() { return eyes[0].GetDeviceTime() + eyes[1].GetDeviceTime(); });
+    for (SingleLevel& eye : eyes)
+    {
+      eye.ReleaseGraphicsResources(this->Screen.Window);
+    }
+  }
+
+  void AddModule(const char* name, int factor)
+  {
+    const vtkNew<vtkNBufferTexture> eyes[2];
+    const int* corner = this->Screen.Source.Viewport;
+    this->Add(
+      name, "",
+      [&]()
+      {
+        for (vtkNBufferTexture* eye : eyes)
+        {
+          Check(eye->Build(this->Screen.Window, this->Screen.Source, corner[0], corner[1],
+                  this->Screen.GetWidth(), this->Screen.GetHeight(), factor, AllLevels,
+                  vtkNBufferExtremum::Maximum),
+            "no levels by OpenGL: ", eye->GetError());
+        }
+      },
+      [&]() { return eyes[0]->GetDeviceTime() + eyes[1]->GetDeviceTime(); });
+    for (vtkNBufferTexture* eye : eyes)
+    {
+      eye->ReleaseGraphicsResources(this->Screen.Window);
+    }
+  }
+
+  const Drawn& Screen;
+  const std::vector<float>& Depth;
+  DepthChain Chain;
+  std::string Why;
+  Json::Value Rows = Json::Value(Json::arrayValue);
+};
 
 Json::Value MeasureBuilds(const Drawn& drawn)
 {
@@ -204,6 +345,7 @@ Json::Value MeasureBuilds(const Drawn& drawn)
     rows.append(MeasureSingle(drawn, single, "compute", ReduceMethod::Compute, factor));
   }
   single.ReleaseGraphicsResources(drawn.Window);
+  result["eyes"] = EyesStudy(drawn, depth).Run();
   return result;
 }
 
@@ -228,7 +370,7 @@ Json::Value MeasureDevice(
   Session& session, const NBufferExamples::CameraPose& pose, int repetitions, int mostPixels)
 {
   constexpr int sizes[][2] = { { 256, 256 }, { 512, 512 }, { 640, 480 }, { 1024, 1024 },
-    { 1920, 1080 } };
+    { 1920, 1080 }, { 1648, 1776 } };
   Json::Value result(Json::arrayValue);
   for (const int(&size)[2] : sizes)
   {

@@ -38,7 +38,14 @@ void ForEachMapper(Session& session, Functor&& functor)
   }
 }
 
-/// Records which props are drawn, in order, for as long as it lives.
+/// The draw of a prop, with colours or for its depth alone.
+struct Draw
+{
+  vtkProp* Prop;
+  bool Colors;
+};
+
+/// Records the draws, in order, for as long as it lives.
 class Recorder
 {
 public:
@@ -49,7 +56,9 @@ public:
       [](vtkObject* mapper, unsigned long, void* self, void*)
       {
         auto* recorder = static_cast<Recorder*>(self);
-        recorder->Draws.push_back(recorder->Props.at(mapper));
+        GLboolean mask[4] = { GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE };
+        glGetBooleanv(GL_COLOR_WRITEMASK, mask);
+        recorder->Draws.push_back({ recorder->Props.at(mapper), mask[0] == GL_TRUE });
       });
     const std::string why = GetFragmentsObstacle(session);
     if (!why.empty())
@@ -74,7 +83,7 @@ public:
   Recorder(const Recorder&) = delete;
   void operator=(const Recorder&) = delete;
 
-  std::vector<vtkProp*> Draws;
+  std::vector<Draw> Draws;
 
 private:
   vtkNew<vtkCallbackCommand> Observer;
@@ -84,9 +93,10 @@ private:
 
 struct Fragments
 {
-  long long Passed = 0;
+  long long Passed = 0; ///< With colours, as the next two.
   long long OfHidden = 0;
   long long Again = 0;
+  long long OfDepth = 0; ///< Of draws for their depth alone.
   long long Shown = 0;
   std::size_t Draws = 0;
 };
@@ -107,7 +117,7 @@ long long CountShown(vtkRenderer* renderer)
 
 /// Repeats the draws, each within a query. Returns the samples of each draw, and sets `shown` to
 /// the number of pixels that show a prop.
-std::vector<GLuint> Replay(Session& session, const std::vector<vtkProp*>& draws, long long& shown)
+std::vector<GLuint> Replay(Session& session, const std::vector<Draw>& draws, long long& shown)
 {
   std::vector<GLuint> samples(draws.size());
   vtkNew<NBufferPeers::DrawStage> stage;
@@ -118,7 +128,7 @@ std::vector<GLuint> Replay(Session& session, const std::vector<vtkProp*>& draws,
     for (std::size_t i = 0; i < draws.size(); ++i)
     {
       glBeginQuery(GL_SAMPLES_PASSED, queries[i]);
-      draws[i]->RenderOpaqueGeometry(renderer);
+      draws[i].Prop->RenderOpaqueGeometry(renderer);
       glEndQuery(GL_SAMPLES_PASSED);
     }
     for (std::size_t i = 0; i < draws.size(); ++i)
@@ -136,7 +146,7 @@ std::vector<GLuint> Replay(Session& session, const std::vector<vtkProp*>& draws,
 /// Takes the least of three counts of each draw, because llvmpipe now and then counts samples more
 /// than once.
 Fragments Count(
-  Session& session, const std::vector<vtkProp*>& draws, const std::vector<vtkProp*>& visible)
+  Session& session, const std::vector<Draw>& draws, const std::vector<vtkProp*>& visible)
 {
   constexpr int times = 3;
   const std::unordered_set<vtkProp*> seen(visible.begin(), visible.end());
@@ -152,9 +162,15 @@ Fragments Count(
   std::unordered_set<vtkProp*> drawn;
   for (std::size_t i = 0; i < draws.size(); ++i)
   {
+    vtkProp* prop = draws[i].Prop;
+    if (!draws[i].Colors)
+    {
+      fragments.OfDepth += least[i];
+      continue;
+    }
     fragments.Passed += least[i];
-    fragments.Again += drawn.insert(draws[i]).second ? 0 : least[i];
-    fragments.OfHidden += seen.count(draws[i]) > 0 ? 0 : least[i];
+    fragments.Again += drawn.insert(prop).second ? 0 : least[i];
+    fragments.OfHidden += seen.count(prop) > 0 ? 0 : least[i];
   }
   return fragments;
 }
@@ -190,7 +206,7 @@ Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath
     Mode mode(name, "cpu");
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-      std::vector<vtkProp*> draws;
+      std::vector<Draw> draws;
       mode.Enter(session.GetRenderer());
       if (OracleCuller* oracle = mode.GetOracleCuller())
       {
@@ -213,6 +229,7 @@ Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath
       sum.Passed += fragments.Passed;
       sum.OfHidden += fragments.OfHidden;
       sum.Again += fragments.Again;
+      sum.OfDepth += fragments.OfDepth;
       sum.Shown += fragments.Shown;
       sum.Draws += fragments.Draws;
     }
@@ -224,6 +241,7 @@ Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath
     entry["wasted"] = mean(static_cast<double>(sum.Passed - sum.Shown));
     entry["of_hidden"] = mean(static_cast<double>(sum.OfHidden));
     entry["again"] = mean(static_cast<double>(sum.Again));
+    entry["of_depth"] = mean(static_cast<double>(sum.OfDepth));
     entry["draws"] = mean(static_cast<double>(sum.Draws));
   }
   return result;

@@ -9,6 +9,7 @@
 #include "FirstFrames.h"
 #include "ModeSettings.h"
 #include "Report.h"
+#include "Study.h"
 #include "StudyFrames.h"
 #include "Walk.h"
 
@@ -28,8 +29,9 @@ struct WalkCommandOptions
   ViewOptions View;
   WalkOptions Walk;
   std::string JSON;
-  int Nearest = 0;     ///< 0: all props are visible.
-  int FirstFrames = 0; ///< Runs of each mode in new windows; 0: a walk.
+  int Nearest = 0;        ///< 0: all props are visible.
+  int FragmentFrames = 0; ///< Frames in which fragments are counted.
+  int FirstFrames = 0;    ///< Runs of each mode in new windows; 0: a walk.
 };
 
 /// Leaves only the nearest props in view of a pose visible.
@@ -123,6 +125,10 @@ int RunWalkCommand(WalkCommandOptions& options)
   }
   options.Walk.Backend = options.View.Backend;
   Json::Value report = RunWalk(session, path, options.Walk);
+  if (options.FragmentFrames > 0)
+  {
+    report["fragments"] = MeasureFragments(session, path, modes, options.FragmentFrames);
+  }
   options.View.Describe(scene, session, report);
   report["props"] = options.Nearest > 0 ? options.Nearest : report["props"].asInt();
   PrintModes(report, modes, std::cout,
@@ -200,7 +206,8 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
       "queries, "
       "queries-conservative, queries-count: an occlusion "
       "query of the hardware for each prop, waited for; chc: coherent hierarchical culling by "
-      "them. nbuffer also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
+      "them; early-depth, early-depth-nbuffer: stock or nbuffer, depth first and then colours. "
+      "nbuffer also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
     ->delimiter(',')
     ->check(CLI::Validator(CheckMode, "MODE"))
     ->capture_default_str();
@@ -223,6 +230,11 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
     ->add_option("--nearest", options->Nearest,
       "Only so many props, the nearest ones in view of the first frame; all others are invisible")
     ->check(CLI::Range(1, 1000000));
+  command
+    ->add_option("--fragments", options->FragmentFrames,
+      "Count the fragments of the draws of every mode in so many frames spread over the path; "
+      "oracle's props are drawn in modes in-view and same-list, too")
+    ->check(CLI::Range(1, 1000));
   command
     ->add_option("--first-frames", options->FirstFrames,
       "Instead of a walk in one window, so many runs of stock and of the modes nbuffer, each in a "
