@@ -114,7 +114,7 @@ class Study:
         frames = self.effort.settings_frames * 2
         return {"early": [self.bench(
             "walk", "--scene", "city", "--path", path, "--frames", frames, "--verify",
-            "--fragments", max(frames // 4, 1), "--modes",
+            "--fragments", frames // 4, "--modes",
             "none,stock,nbuffer,early-depth,early-depth-nbuffer,oracle")
             for path in self.effort.settings_paths if path != "cuts"]}
 

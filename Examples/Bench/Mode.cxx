@@ -104,6 +104,11 @@ Mode::Mode(const std::string& name, const std::string& backend)
   }
 }
 
+int Mode::CountDrawn(vtkRenderer* renderer) const
+{
+  return this->Pass ? this->Pass->GetNumberOfRenderedProps() : renderer->GetNumberOfPropsRendered();
+}
+
 void Mode::Enter(vtkRenderer* renderer)
 {
   renderer->GetCullers()->RemoveAllItems();

@@ -54,6 +54,10 @@ public:
   NBufferPeers::QueryCuller* GetQueryCuller() { return this->Queries; }
   ///@}
 
+  /// Returns the number of props that the last frame drew. The renderer does not count those that a
+  /// pass has drawn.
+  int CountDrawn(vtkRenderer* renderer) const;
+
   void Enter(vtkRenderer* renderer);
   void Leave(vtkRenderer* renderer);
 

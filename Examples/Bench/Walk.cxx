@@ -215,7 +215,7 @@ private:
     {
       runner.Milliseconds[frame] =
         this->Options.Still ? this->Where.Render() : this->RenderFrame(runner, frame);
-      runner.Drawn[frame] = this->Where.GetRenderer()->GetNumberOfPropsRendered();
+      runner.Drawn[frame] = mode.CountDrawn(this->Where.GetRenderer());
       if (vtkNBufferCuller* culler = mode.GetNBufferCuller())
       {
         runner.Statistics.push_back(culler->GetStatisticsAsJSON());

@@ -119,6 +119,11 @@ int RunWalkCommand(WalkCommandOptions& options)
       throw std::runtime_error("mode " + mode + " cannot run here: " + why);
     }
   }
+  if (options.FragmentFrames > 0 && path.size() < 3)
+  {
+    throw std::runtime_error("--fragments counts in frames that follow others, so that --frames is "
+                             "to be at least 3");
+  }
   if (options.Nearest > 0)
   {
     ShowNearest(session, path.front(), options.Nearest);

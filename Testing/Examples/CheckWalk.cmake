@@ -8,11 +8,13 @@
 
 function (walk)
   execute_process(
-    COMMAND "${PROGRAM}" walk --scene plant --size 161x119 --verify --json "${OUT}" ${ARGN}
+    COMMAND "${PROGRAM}" walk --scene ${scene} --size 161x119 --verify --json "${OUT}" ${ARGN}
     COMMAND_ERROR_IS_FATAL ANY)
   file(READ "${OUT}" json)
   set(json "${json}" PARENT_SCOPE)
 endfunction ()
+
+set(scene plant)
 
 # One frame to begin with and one before each of the two blocks; then seven, which go forth and back
 # along the path of three frames.
@@ -41,3 +43,33 @@ foreach (frame RANGE 3)
       "in-view ${in-view}, oracle ${oracle}")
   endif ()
 endforeach ()
+
+# Depth first: what stock draws is drawn once for its depth, and with colours about once for each pixel
+# that shows a prop; the culler culls in this pass, too.
+set(scene city) # Props of the plant share mappers.
+walk(--path street --frames 3 --fragments 1
+  --modes stock,nbuffer,early-depth,early-depth-nbuffer,none)
+foreach (mode IN ITEMS stock nbuffer)
+  string(REPLACE stock early-depth early ${mode})
+  string(REPLACE nbuffer early-depth-nbuffer early ${early})
+  string(JSON plain GET "${json}" fragments ${mode} passed)
+  string(JSON depth GET "${json}" fragments ${early} of_depth)
+  string(JSON colors GET "${json}" fragments ${early} passed)
+  string(JSON shown GET "${json}" fragments ${early} shown)
+  # Equal depths alone are drawn with colours more than once.
+  string(REGEX REPLACE "[.].*" "" pixels ${shown})
+  math(EXPR most "${pixels} + ${pixels} / 100 + 1")
+  if (colors LESS shown OR colors GREATER most OR plain LESS_EQUAL colors OR depth LESS colors)
+    message(FATAL_ERROR "${early}: ${depth} fragments for depth, ${colors} with colours of "
+      "${shown} pixels, ${plain} in mode ${mode}")
+  endif ()
+endforeach ()
+string(JSON stock GET "${json}" fragments stock passed)
+string(JSON depth GET "${json}" fragments early-depth of_depth)
+string(JSON culled GET "${json}" modes early-depth-nbuffer drawn)
+string(JSON all GET "${json}" modes early-depth drawn)
+string(JSON expected GET "${json}" modes stock drawn)
+if (NOT depth EQUAL stock OR NOT all EQUAL expected OR NOT culled LESS all)
+  message(FATAL_ERROR "${depth} fragments for depth instead of ${stock}; ${all} props drawn instead "
+    "of ${expected}, with the culler ${culled}")
+endif ()

@@ -103,7 +103,12 @@ def check_figures(study):
         check_scene(f"scene {index}", scene)
     check_depth(study)
     rows = len(study["device"][0]["rows"])
-    check(rows >= 15, f"{rows} rows of what the device does")
+    eyes = len(study["device"][0]["eyes"])
+    check(rows >= 15 and eyes == 21, f"{rows} rows of what the device does, {eyes} of two eyes")
+    early = study["early"][0]
+    shaded, shown = (early["fragments"]["early-depth-nbuffer"][key] for key in ("passed", "shown"))
+    check(early["differing_bytes"] == 0 and shown <= shaded <= 1.01 * shown,
+          f"early depth: {early['differing_bytes']} wrong bytes, {shaded} fragments of {shown}")
     tests = study["table2"]["tests"]
     check(tests["nb"] < tests["oq"],
           f"{tests['nb']} lookups, {tests['oq']} pixels: four lookups a box have to be fewer")

@@ -136,6 +136,21 @@ class Documents(unittest.TestCase):
             for row in rows(text):
                 self.assertEqual(len(row), len(text[text.index("|"):].splitlines()[0].split("|")) - 2)
 
+    def test_chains_of_two_eyes(self):
+        paper, _, measured = rows(tables.eyes(self.study, ""))
+        self.assertEqual((paper[1], paper[3], paper[5]), ("0.25", "0.22", "0.12"))
+        self.assertEqual(measured[0], "256 x 256")
+        self.assertTrue(all(" / " in cell for cell in measured[1:]))
+        groups = dict(rows(tables.groups(self.study, "")))
+        self.assertEqual(len(groups), 4)
+        self.assertEqual(groups["4 x 4, fetch, tree"], "not measured")
+
+    def test_early_depth(self):
+        found = {row[1]: row for row in rows(tables.early(self.study, ""))}
+        self.assertEqual(found["stock"][0], "street")
+        self.assertEqual(found["early-depth"][5], found["stock"][6])
+        self.assertEqual(found["early-depth"][7], "1")
+
     def test_setting_of_shadows(self):
         text = tables.setting(self.study, "BoxCost")
         self.assertIn("256 (default)", text)
