@@ -49,7 +49,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the backend has to be chosen first)
 
 DOCUMENTS = ("accuracy.md", "accuracy-depth.md", "accuracy-levels.md", "accuracy-particles.md",
-             "accuracy-scenes.md", "accuracy-settings.md")
+             "accuracy-scenes.md", "accuracy-settings.md", "benchmarks.md")
 TABLES = {**OTHER_TABLES, **DEPTH_TABLES}
 TABLE = re.compile(r"(<!-- table: ([^\n]*?) -->\n).*?(<!-- end -->)", re.DOTALL)
 
@@ -282,7 +282,7 @@ def load(files):
     reports = [json.loads(pathlib.Path(file).read_text()) for file in files]
     merged = reports[0]
     for report in reports[1:]:
-        for part in ("shadows", "device", "early"):
+        for part in ("shadows", "device", "early", "maps"):
             if report.get(part):
                 merged[part] = report[part]
         for part, value in (report.get("settings") or {}).items():

@@ -6,6 +6,7 @@ Each table is a function of the report and of the argument behind its name in th
 """
 
 import math
+import re
 
 import pandas as pd
 
@@ -499,6 +500,54 @@ def shadows(report, name):
                  "differ and are ambiguous"], rows))
 
 
+ERRORS = ("outline", "acne", "peter_panning", "leak")
+
+
+def wrong_percent(mode):
+    return 100.0 * mode["oracle"]["wrong"] / max(mode["oracle"]["samples"], 1)
+
+
+def map_modes(scene, key):
+    """The modes of shadow maps that vary the resolution, the exponent or the bias."""
+    def varies(name):
+        return ("resolution" if "EachFrame" in name else "bias" if "Offset" in name
+                else "exponent")
+    return [(name, mode) for name, mode in scene["modes"].items()
+            if name.startswith("vtk") and varies(name) == key]
+
+
+def maps(report, key):
+    rows = []
+    for scene in report.get("maps") or []:
+        shown = map_modes(scene, key)
+        for name, mode in sorted(shown, key=lambda entry: [
+                int(number) for number in re.findall(r"\d+", entry[0])]):
+            oracle = mode["oracle"]
+            rows.append([scene["scene"], name.replace(":EachFrame=1", ""), wrong_percent(mode),
+                         *(str(oracle["errors"][error]) for error in ERRORS)])
+    return table(["scene", "mode", "wrong, %", "outline", "acne", "peter-panning", "leaks"], rows)
+
+
+def map_times(report, _):
+    """The largest map that takes no longer than the volumes, and what is wrong with it."""
+    rows = []
+    for scene in report.get("maps") or []:
+        ours = scene["modes"]["auto"]
+        timed = {}
+        for name, mode in map_modes(scene, "resolution"):
+            timed.setdefault(int(re.search(r"@(\d+)", name)[1]), []).append(mode)
+        fast = [size for size, modes in timed.items()
+                if min(mode["median_ms"] for mode in modes) <= ours["median_ms"]]
+        size = max(fast) if fast else min(timed)
+        usual, other = timed[size]
+        rows.append([scene["scene"], scene["modes"]["none"]["median_ms"], span(times_of(ours)),
+                     str(ours["oracle"]["wrong"]), f"{size} x {size}" + ("" if fast else ", slower"),
+                     span(times_of(usual)), *(f"{mode['oracle']['wrong']} ({number(wrong_percent(mode))} %)"
+                                              for mode in (usual, other))])
+    return table(["scene", "no shadows ms", "volumes (auto) ms", "wrong", "largest map as fast", "ms",
+                  "wrong, exponent 11", "wrong, exponent 80"], rows)
+
+
 def fill(report, _):
     if not report.get("shadows"):
         raise NotMeasured
@@ -548,4 +597,4 @@ def few(report, _):
 OTHER_TABLES = {function.__name__: function for function in (
     machine, settings_machine, frames, peers, fragments, early, device, single, eyes, groups, packed,
     rebuild, pareto, best, chain, hierarchy, latent, table1, table2, particles,
-    figure4, left_out, known, shadows, fill, setting, few)}
+    figure4, left_out, known, shadows, maps, map_times, fill, setting, few)}

@@ -23,22 +23,22 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PARTS = ("structures", "early", "scenes", "settings", "shadow-settings", "shadows")
+PARTS = ("structures", "early", "scenes", "settings", "shadow-settings", "shadows", "maps")
 FEWER = ("depth", "device")  # Of a part above; only on request.
 IMAGES_DIFFER = 2
 
 Effort = collections.namedtuple(
     "Effort", "flags settings_frames settings_paths few plant shadow_scenes shadow_settings_scenes "
-    "shadow_size shadow_frames shadow_settings_frames litmaps")
+    "shadow_size shadow_frames shadow_settings_frames litmaps maps")
 SHADOW_SCENES = ["city-sun", "city-spot", "birds", "simple"]
 EFFORTS = {
     "full": Effort([], 15, ["street", "rooftop", "drone", "cuts"], [8, 16, 24, 32, 48, 64, 128],
                    True, SHADOW_SCENES, SHADOW_SCENES, "640x480", 8, 8,
-                   [32, 64, 128, 256, 512, 1024]),
+                   [32, 64, 128, 256, 512, 1024], [256, 512, 1024, 2048, 4096]),
     "quick": Effort(["--quick"], 5, ["street"], [32], False, ["birds"], ["birds"], "320x240", 2, 1,
-                    [64, 256]),
+                    [64, 256], [256, 1024]),
     "tiny": Effort(["--tiny"], 2, ["street"], [8], False, ["city-sun", "birds"], ["birds"],
-                   "320x240", 1, 1, [64])}
+                   "320x240", 1, 1, [64], [256])}
 
 # Scenes beside the city: name, whether it is a file, paths, whether a quick run has it (its first
 # path), and the options that bound what is measured.
@@ -61,6 +61,13 @@ STILL_VALUES = {"ReuseWhenStill": [0, 1]}
 BOX_COSTS = [8, 16, 64, 256, 1024, 4096]
 SHADOW_VALUES = [("auto", "BoxCost", BOX_COSTS), ("exact", "BoxCost", BOX_COSTS),
                  ("slabs", "BoxCost", BOX_COSTS), ("slabs", "SlabGap", [1, 2, 4, 8, 16, 64])]
+
+# VTK's shadow maps: exponents, and polygon offsets (factor, units), with the usual resolution. The
+# lamp hangs so high that the map of a spot is not empty.
+MAP_EXPONENTS = [2, 5, 20, 40, 80, 88]
+MAP_OFFSETS = [(1, 0), (2, 0), (4, 0), (0, 16), (2, 4), (8, 16)]
+MAP_EXPONENT, MAP_RESOLUTION = 80, 1024
+MAP_LAMP = "60,-60,290,9"
 
 # The default under other names. After a mode that draws everything, the next mode finds nothing of
 # its own in the caches: the first of these names pays for that, and its times are not used. The one
@@ -180,7 +187,8 @@ class Study:
 
     def shadow(self, scene, frames, modes, *flags):
         # Many modes: turns have to be short to meet the same disturbances.
-        return self.bench("shadow", "--scene", scene, "--size", self.effort.shadow_size, "--frames",
+        size = [] if "--size" in flags else ["--size", self.effort.shadow_size]
+        return self.bench("shadow", "--scene", scene, *size, "--frames",
                           frames, "--block", 2, "--modes", ",".join(modes), *flags)
 
     def shadow_settings(self):
@@ -202,6 +210,21 @@ class Study:
         return {"shadows": [
             {**self.shadow(scene, self.effort.shadow_frames, modes, "--oracle", "--oracle-once"),
              "default": default} for scene in self.effort.shadow_scenes]}
+
+    def maps(self):
+        """VTK's shadow maps in square windows: resolution, exponent and bias, in wrong samples."""
+        usual = f"vtk@{MAP_RESOLUTION}"
+        modes = ["none", "auto", usual]
+        for size in self.effort.maps:
+            modes += [f"vtk@{size}:EachFrame=1", f"vtk@{size}:Exponent={MAP_EXPONENT}:EachFrame=1"]
+        modes += [f"{usual}:Exponent={exponent}" for exponent in MAP_EXPONENTS]
+        modes += [f"{usual}:Exponent={MAP_EXPONENT}:OffsetFactor={factor}:OffsetUnits={units}"
+                  for factor, units in MAP_OFFSETS]
+        side = self.effort.shadow_size.split("x")[1]
+        return {"maps": [
+            self.shadow(scene, self.effort.shadow_frames, modes, "--oracle", "--oracle-once", "--size",
+                        f"{side}x{side}", *(["--lamp", MAP_LAMP] if scene == "city-spot" else []))
+            for scene in self.effort.shadow_scenes]}
 
     def run(self):
         begin = time.monotonic()

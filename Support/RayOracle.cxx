@@ -172,25 +172,15 @@ Ray Oracle::GetShadowRay(const Receiver& receiver, const OracleLight& light) con
 
 bool Oracle::IsShadowed(const Receiver& receiver, const OracleLight& light) const
 {
-  bool shadowed = false;
-  this->Tree.VisitCrossings(this->GetShadowRay(receiver, light),
-    [&](int triangle, double)
-    {
-      shadowed = triangle != receiver.Triangle && this->Casts[this->Triangles.Owners[triangle]];
-      return !shadowed;
-    });
-  return shadowed;
+  bool lit = true;
+  this->VisitCasters(receiver, light, [&lit](int, double) { return lit = false; });
+  return !lit;
 }
 
 int Oracle::CountCrossings(const Receiver& receiver, const OracleLight& light) const
 {
   int count = 0;
-  this->Tree.VisitCrossings(this->GetShadowRay(receiver, light),
-    [&](int triangle, double)
-    {
-      count += triangle != receiver.Triangle && this->Casts[this->Triangles.Owners[triangle]];
-      return true;
-    });
+  this->VisitCasters(receiver, light, [&](int, double) { return ++count > 0; });
   return count;
 }
 
@@ -266,14 +256,10 @@ bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light, const Classific
 std::set<int> Oracle::GetCrossed(const Receiver& receiver, const OracleLight& light) const
 {
   std::set<int> owners;
-  this->Tree.VisitCrossings(this->GetShadowRay(receiver, light),
-    [&](int triangle, double)
+  this->VisitCasters(receiver, light,
+    [&](int owner, double)
     {
-      const int owner = this->Triangles.Owners[triangle];
-      if (triangle != receiver.Triangle && this->Casts[owner])
-      {
-        owners.insert(owner);
-      }
+      owners.insert(owner);
       return true;
     });
   return owners;

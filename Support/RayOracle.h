@@ -72,11 +72,23 @@ public:
   /// Finds the receiver on the ray of GetEyeRay(). Returns false if the ray meets no triangle.
   bool GetReceiver(int x, int y, double jitterX, double jitterY, Receiver& receiver) const;
 
-  /// Returns whether the segment from the receiver to the light crosses another triangle of a
-  /// caster.
+  /// Calls visit(actor, distance) for each other triangle of a caster that the segment from the
+  /// receiver to the light crosses, until it returns false.
+  template <typename Visitor>
+  void VisitCasters(const Receiver& receiver, const OracleLight& light, Visitor&& visit) const
+  {
+    this->Tree.VisitCrossings(this->GetShadowRay(receiver, light),
+      [&](int triangle, double t)
+      {
+        const int owner = this->Triangles.Owners[triangle];
+        return triangle == receiver.Triangle || !this->Casts[owner] || visit(owner, t);
+      });
+  }
+
+  /// Returns whether the segment crosses such a triangle.
   bool IsShadowed(const Receiver& receiver, const OracleLight& light) const;
 
-  /// Returns how many of these triangles it crosses. Those that coincide are counted one by one.
+  /// Returns how many of them it crosses. Those that coincide are counted one by one.
   int CountCrossings(const Receiver& receiver, const OracleLight& light) const;
 
   /// Classifies the receiver on the ray of GetEyeRay().

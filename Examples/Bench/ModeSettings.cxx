@@ -4,6 +4,7 @@
 
 #include "vtkNBufferCuller.h"
 #include "vtkNew.h"
+#include "vtkShadowMapBakerPass.h"
 #include "vtkShadowVolumeClampPass.h"
 
 #include <charconv>
@@ -15,6 +16,18 @@ namespace NBufferBench
 namespace
 {
 constexpr char TestSlivers[] = "TestSlivers";
+
+struct MapSetting
+{
+  const char* Name;
+  int ShadowMapSettings::*Member;
+  int Least;
+  int Most;
+};
+constexpr MapSetting MapSettings[] = { { "Exponent", &ShadowMapSettings::Exponent, 1, 88 },
+  { "OffsetFactor", &ShadowMapSettings::OffsetFactor, 0, 1000 },
+  { "OffsetUnits", &ShadowMapSettings::OffsetUnits, 0, 1000 },
+  { "EachFrame", &ShadowMapSettings::EachFrame, 0, 1 } };
 
 /// Sets one setting. Returns false if the name is unknown or the value is refused.
 bool SetOne(vtkNBufferTuning& tuning, vtkNBufferCuller* culler, const std::string& name, int value)
@@ -32,6 +45,13 @@ bool SetOne(vtkShadowTuning& tuning, vtkShadowVolumeClampPass*, const std::strin
   return tuning.Set(name, value) && tuning.FindFault().empty();
 }
 
+bool SetOne(ShadowMapSettings& settings, ShadowMapSettings*, const std::string& name, int value)
+{
+  const MapSetting* setting = FindNamed(MapSettings, name);
+  settings.*setting->Member = value;
+  return value >= setting->Least && value <= setting->Most;
+}
+
 std::vector<std::string> GetNames(vtkNBufferCuller*)
 {
   std::vector<std::string> names = vtkNBufferTuning::GetNames();
@@ -44,6 +64,16 @@ std::vector<std::string> GetNames(vtkShadowVolumeClampPass*)
   return vtkShadowTuning::GetNames();
 }
 
+std::vector<std::string> GetNames(ShadowMapSettings*)
+{
+  std::vector<std::string> names;
+  for (const MapSetting& setting : MapSettings)
+  {
+    names.emplace_back(setting.Name);
+  }
+  return names;
+}
+
 int GetOne(vtkNBufferCuller* culler, const std::string& name)
 {
   return name == TestSlivers ? culler->GetTestSlivers() : culler->GetTuning().Get(name);
@@ -52,6 +82,11 @@ int GetOne(vtkNBufferCuller* culler, const std::string& name)
 int GetOne(vtkShadowVolumeClampPass* pass, const std::string& name)
 {
   return pass->GetTuning().Get(name);
+}
+
+int GetOne(ShadowMapSettings* settings, const std::string& name)
+{
+  return settings->*FindNamed(MapSettings, name)->Member;
 }
 
 template <typename Object>
@@ -134,11 +169,23 @@ void ApplySettings(const std::string& mode, vtkShadowVolumeClampPass* pass)
   Apply(mode, pass);
 }
 
+void ApplySettings(const std::string& mode, ShadowMapSettings* maps)
+{
+  Apply(mode, maps);
+}
+
+ShadowMapSettings::ShadowMapSettings()
+  : Exponent(static_cast<int>(vtkNew<vtkShadowMapBakerPass>()->GetExponentialConstant()))
+{
+}
+
 Json::Value GetDefaults()
 {
   Json::Value defaults;
   defaults["culler"] = GetDefaultsOf(vtkNew<vtkNBufferCuller>().Get());
   defaults["shadow"] = GetDefaultsOf(vtkNew<vtkShadowVolumeClampPass>().Get());
+  ShadowMapSettings maps;
+  defaults["maps"] = GetDefaultsOf(&maps);
   return defaults;
 }
 

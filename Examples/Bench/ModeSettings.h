@@ -4,8 +4,8 @@
  * @file ModeSettings.h
  * @brief Settings in the name of a mode, such as nbuffer:RoundSize=16:BackOff=0.
  *
- * They have the names of members of vtkNBufferTuning and vtkShadowTuning, or TestSlivers, and their
- * values are whole numbers; a switch is 0 or 1.
+ * They have the names of members of vtkNBufferTuning, vtkShadowTuning and ShadowMapSettings, or
+ * TestSlivers, and their values are whole numbers; a switch is 0 or 1.
  */
 #ifndef ModeSettings_h
 #define ModeSettings_h
@@ -32,6 +32,25 @@ const Entry* FindNamed(const Entry (&entries)[N], const std::string& name)
   return found == std::end(entries) ? nullptr : found;
 }
 
+/// Settings of vtkShadowMapPass, and what its map is drawn with.
+struct ShadowMapSettings
+{
+  ShadowMapSettings();
+  int Exponent; ///< The exponential constant, 1 to 88 (its exponential has to be a float).
+  ///@{
+  /// The polygon offset with which the map is drawn, 0 to 1000. VTK draws it without.
+  int OffsetFactor = 0;
+  int OffsetUnits = 0;
+  ///@}
+  int EachFrame = 0; ///< Whether a map is drawn for each frame, as where something moves.
+
+  ///@{
+  /// As the other classes with settings.
+  const ShadowMapSettings& GetTuning() const { return *this; }
+  void SetTuning(const ShadowMapSettings& settings) { *this = settings; }
+  ///@}
+};
+
 /// Returns the name without settings.
 std::string GetModeKind(const std::string& mode);
 
@@ -43,9 +62,10 @@ void RemoveRepeated(std::vector<std::string>& modes);
 /// not a whole number, or is refused.
 void ApplySettings(const std::string& mode, vtkNBufferCuller* culler);
 void ApplySettings(const std::string& mode, vtkShadowVolumeClampPass* pass);
+void ApplySettings(const std::string& mode, ShadowMapSettings* maps);
 ///@}
 
-/// Returns the default of every setting, in the members `culler` and `shadow`.
+/// Returns the default of every setting, in the members `culler`, `shadow` and `maps`.
 Json::Value GetDefaults();
 
 } // namespace NBufferBench

@@ -129,8 +129,9 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
       "receivers), exact (in boxes around these), auto (unclamped or exact), clamp (exact, one "
       "slab), slabs, paper (clamp with litmaps drawn from the light, which lose shadows); vtk: "
       "vtkShadowMapPass; exact@64: with a litmap of 64 x 64, vtk@64 with such "
-      "maps; those of volumes also with settings of their own, such as auto:BoxCost=16, "
-      "slabs@64:SlabGap=2")
+      "maps; those of volumes and vtk also with settings of their own, such as auto:BoxCost=16, "
+      "slabs@64:SlabGap=2, vtk@1024:Exponent=80:OffsetFactor=4:OffsetUnits=4:EachFrame=1 (draws "
+      "the map anew for each frame)")
     ->delimiter(',')
     ->capture_default_str();
   command->add_flag("--oracle", options->Walk.Oracle,

@@ -3,6 +3,7 @@
 #include "ShadowMode.h"
 
 #include "ModeSettings.h"
+#include "PolygonOffsetPass.h"
 #include "RerenderedLitmap.h"
 
 #include "vtkCameraPass.h"
@@ -33,15 +34,23 @@ constexpr VolumeKind VolumeKinds[] = { { "unclamped", Pass::Unclamped, 4 },
   { "cull", Pass::Culled, 4 }, { "auto", Pass::Automatic, 4 }, { "exact", Pass::Scissored, 4 },
   { "clamp", Pass::Clamped, 64 }, { "slabs", Pass::Clamped, 4 }, { "paper", Pass::Clamped, 64 } };
 
-vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution)
+vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution, const ShadowMapSettings& settings)
 {
   vtkNew<vtkShadowMapPass> shadows;
+  vtkShadowMapBakerPass* baker = shadows->GetShadowMapBakerPass();
   if (resolution > 0)
   {
-    shadows->GetShadowMapBakerPass()->SetResolution(static_cast<unsigned int>(resolution));
+    baker->SetResolution(static_cast<unsigned int>(resolution));
+  }
+  baker->SetExponentialConstant(static_cast<float>(settings.Exponent));
+  if (settings.OffsetFactor > 0 || settings.OffsetUnits > 0)
+  {
+    vtkNew<NBufferPeers::PolygonOffsetPass> offset;
+    offset->Set(baker->GetOpaqueSequence(), settings.OffsetFactor, settings.OffsetUnits);
+    baker->SetOpaqueSequence(offset);
   }
   vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(shadows->GetShadowMapBakerPass());
+  passes->AddItem(baker);
   passes->AddItem(shadows);
   vtkNew<vtkSequencePass> sequence;
   sequence->SetPasses(passes);
@@ -64,14 +73,13 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
     std::sscanf(sized.c_str() + this->Kind.size(), "@%4d%n", &this->Resolution, &used) == 1 &&
     this->Kind.size() + static_cast<std::size_t>(used) == sized.size() && this->Resolution > 0;
   const bool canHaveSize = this->Kind != "none" && this->Kind != "unclamped";
-  const bool isKnown =
-    this->IsVolumes || (sized == name && (this->Kind == "none" || this->Kind == "vtk"));
+  const bool isKnown = this->IsVolumes || this->Kind == "vtk" || name == "none";
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
       "; there are none, unclamped, cull, auto, exact, clamp, slabs, paper and vtk, all but the "
-      "first two also with a resolution of 1 to 9999, such as exact@64, and those of volumes with "
-      "settings, such as slabs@64:SlabGap=2");
+      "first two also with a resolution of 1 to 9999, such as exact@64, and those of volumes and "
+      "vtk with settings, such as slabs@64:SlabGap=2 or vtk@1024:Exponent=80");
   }
   if (this->IsVolumes)
   {
@@ -84,7 +92,10 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   }
   else if (this->Kind == "vtk")
   {
-    this->Pass = MakeShadowMaps(this->Resolution);
+    ShadowMapSettings settings;
+    ApplySettings(name, &settings);
+    this->Pass = MakeShadowMaps(this->Resolution, settings);
+    this->IsEachFrame = settings.EachFrame != 0;
   }
 }
 

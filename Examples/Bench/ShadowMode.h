@@ -17,8 +17,8 @@
  *                 square windows only, because it looks maps up with an aspect ratio of 1
  *
  * cull@N, auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels; vtk@N has
- * shadow maps of N x N texels instead of VTK's default. Modes of volumes can also have settings
- * (ModeSettings.h), such as slabs@64:SlabGap=2.
+ * shadow maps of N x N texels instead of VTK's default. Modes of volumes and vtk can also have
+ * settings (ModeSettings.h), such as slabs@64:SlabGap=2 or vtk@1024:Exponent=80.
  */
 #ifndef ShadowMode_h
 #define ShadowMode_h
@@ -49,6 +49,10 @@ public:
   /// Returns whether the mode draws with vtkShadowVolumeClampPass.
   bool HasVolumes() const { return this->IsVolumes; }
 
+  /// Returns whether the mode draws a shadow map anew for each frame, which it does where the light
+  /// has been modified.
+  bool DrawsMapEachFrame() const { return this->IsEachFrame; }
+
   /// Returns whether every sample that differs from a ray and is not ambiguous is an error of this
   /// module. That is so in all modes of volumes except paper.
   static bool IsExact(const std::string& name);
@@ -64,6 +68,7 @@ private:
   int Resolution = 0; ///< The N of the name, or 0.
   int Litmap;
   bool IsVolumes;
+  bool IsEachFrame = false;
   vtkSmartPointer<vtkRenderPass> Pass;
   std::shared_ptr<vtkShadowLitmapSource> LitmapSource; ///< The paper's, of the mode paper.
 };

@@ -4,6 +4,7 @@
 
 #include "RayOracle.h"
 #include "Report.h"
+#include "ShadowErrors.h"
 #include "ShadowMode.h"
 #include "Tune.h"
 #include "Walk.h"
@@ -37,12 +38,14 @@ constexpr vtkIdType Channels = 4;
 struct OracleCounts
 {
   long long Samples = 0;
-  long long Shadowed = 0;  ///< Samples that are in shadow by rays.
-  long long Ambiguous = 0; ///< Samples that differ and are ambiguous.
+  long long Shadowed = 0;            ///< Samples that are in shadow by rays.
+  long long Ambiguous = 0;           ///< Samples that differ and are ambiguous.
+  std::array<long long, 4> Errors{}; ///< By ShadowError, those that are not ambiguous.
   /// Frame, x and y (from below) of the samples that differ and are not ambiguous.
   std::vector<std::array<int, 3>> Wrong;
 
-  void Add(const Shadows& shadows, const OracleImage& expected, int frame)
+  void Add(const Shadows& shadows, const Oracle& oracle, const OracleLight& light,
+    const OracleImage& expected, int frame)
   {
     for (std::size_t i = 0; i < shadows.size(); ++i)
     {
@@ -63,8 +66,10 @@ struct OracleCounts
         ++this->Ambiguous;
         continue;
       }
-      const int pixel = static_cast<int>(i);
-      this->Wrong.push_back({ frame, pixel % expected.Width, pixel / expected.Width });
+      const int x = static_cast<int>(i) % expected.Width;
+      const int y = static_cast<int>(i) / expected.Width;
+      this->Wrong.push_back({ frame, x, y });
+      ++this->Errors[static_cast<std::size_t>(ClassifyShadowError(oracle, light, expected, x, y))];
     }
   }
 
@@ -75,6 +80,11 @@ struct OracleCounts
     report["shadowed"] = static_cast<Json::Int64>(this->Shadowed);
     report["wrong"] = static_cast<Json::UInt64>(this->Wrong.size());
     report["ambiguous"] = static_cast<Json::Int64>(this->Ambiguous);
+    constexpr const char* names[] = { "outline", "acne", "peter_panning", "leak" };
+    for (std::size_t i = 0; i < this->Errors.size(); ++i)
+    {
+      report["errors"][names[i]] = static_cast<Json::Int64>(this->Errors[i]);
+    }
     report["wrong_places"] = MakePlaces(this->Wrong);
     return report;
   }
@@ -122,7 +132,7 @@ public:
     {
       ShowProgress("uploading, " + runner.Mode.GetName());
       runner.Mode.Enter(this->Where.GetRenderer());
-      this->RenderFrame(0);
+      this->RenderFrame(runner.Mode, 0);
     }
     TakeTurns(
       this->Runners.size(), this->Path.size(), this->Options.Block,
@@ -158,8 +168,12 @@ private:
     return found == this->Runners.end() ? nullptr : &*found;
   }
 
-  double RenderFrame(std::size_t frame)
+  double RenderFrame(const ShadowMode& mode, std::size_t frame)
   {
+    if (mode.DrawsMapEachFrame())
+    {
+      this->Light->Modified();
+    }
     // Otherwise the pass would keep the masks of a pose that was rendered before.
     this->Volumes->Modified();
     this->Where.SetPose(this->Path[frame]);
@@ -169,7 +183,7 @@ private:
   Pixels Draw(const ShadowMode& mode, std::size_t frame)
   {
     mode.Enter(this->Where.GetRenderer());
-    this->RenderFrame(frame);
+    this->RenderFrame(mode, frame);
     return this->Where.ReadPixels();
   }
 
@@ -177,10 +191,11 @@ private:
   {
     runner.Mode.Enter(this->Where.GetRenderer());
     // This frame is not timed: buffers and shaders change with the mode.
-    this->RenderFrame(begin > 0 ? begin - 1 : std::min<std::size_t>(1, this->Path.size() - 1));
+    this->RenderFrame(
+      runner.Mode, begin > 0 ? begin - 1 : std::min<std::size_t>(1, this->Path.size() - 1));
     for (std::size_t frame = begin; frame < end; ++frame)
     {
-      runner.Milliseconds[frame] = this->RenderFrame(frame);
+      runner.Milliseconds[frame] = this->RenderFrame(runner.Mode, frame);
       if (runner.Mode.HasVolumes())
       {
         runner.Statistics.push_back(this->Volumes->GetStatistics().GetAsJSON());
@@ -201,7 +216,7 @@ private:
       runner.Mode.Enter(this->Where.GetRenderer());
       for (std::size_t frame = 0; frame < this->Path.size(); ++frame)
       {
-        this->RenderFrame(frame);
+        this->RenderFrame(runner.Mode, frame);
         // -1 says that there was nothing to draw.
         runner.Fragments += std::max(this->Volumes->GetStatistics().Fragments, 0LL);
       }
@@ -267,7 +282,8 @@ private:
       this->Where.SetPose(this->Path[frame]);
       const Oracle oracle(this->Where.GetRenderer(),
         [this](vtkProp* prop) { return prop->HasKeys(this->Options.CasterKeys); });
-      const OracleImage expected = oracle.Cast(OracleLight(this->Light));
+      const OracleLight light(this->Light);
+      const OracleImage expected = oracle.Cast(light);
       for (Runner& runner : this->Runners)
       {
         if (runner.Mode.GetName() != "none")
@@ -275,7 +291,7 @@ private:
           runner.Oracle.Add(runner.Mode.HasVolumes()
               ? this->FindShadowsInMask(runner.Mode, frame, expected.Samples.size())
               : this->FindShadowsInImages(runner.Mode, frame),
-            expected, static_cast<int>(frame));
+            oracle, light, expected, static_cast<int>(frame));
         }
       }
     }
@@ -284,7 +300,7 @@ private:
   Shadows FindShadowsInMask(const ShadowMode& mode, std::size_t frame, std::size_t size)
   {
     mode.Enter(this->Where.GetRenderer());
-    this->RenderFrame(frame);
+    this->RenderFrame(mode, frame);
     int width = 0;
     int height = 0;
     Shadows mask = this->Volumes->GetMask(this->Light, width, height);

@@ -13,8 +13,8 @@ import subprocess
 import sys
 
 BENCH, SOURCE, OUT = (pathlib.Path(argument) for argument in sys.argv[1:])
-DOCUMENTS = ("accuracy", "accuracy-depth", "accuracy-particles", "accuracy-scenes",
-             "accuracy-settings")
+DOCUMENTS = ("accuracy", "accuracy-depth", "accuracy-levels", "accuracy-particles",
+             "accuracy-scenes", "accuracy-settings", "benchmarks")
 CHARTS = ("depth-", "pareto-", "shadows-", "shadow-errors-", "settings-city-street", "settings-birds")
 
 
@@ -63,6 +63,16 @@ def check_shadows(name, scene):
     for mode, values in scene["modes"].items():
         percent = values.get("fragments_percent", 0)
         check(percent <= 100, f"{name}, {mode}: {percent} % of the fragments")
+
+
+def check_maps(scene):
+    """Errors of shadow maps are all that is wrong, and the volumes have none."""
+    modes = {name: mode["oracle"] for name, mode in scene["modes"].items() if name != "none"}
+    for name, oracle in modes.items():
+        check(sum(oracle["errors"].values()) == oracle["wrong"],
+              f"{name}: {oracle['errors']} of {oracle['wrong']} wrong samples")
+    check(modes["auto"]["wrong"] == 0 and modes["vtk@1024"]["wrong"] > 0,
+          f"maps: {modes['auto']['wrong']} wrong by volumes, {modes['vtk@1024']['wrong']} by maps")
 
 
 def check_settings(name, scene):
@@ -129,6 +139,8 @@ def check_figures(study):
     check(len(study["shadows"]) == 2, f"{len(study['shadows'])} scenes with shadows, not two")
     for scene in (*study["shadows"], settings["shadows"][0]):
         check_shadows("shadows", scene)
+    for scene in study["maps"]:
+        check_maps(scene)
     for part in ("culler", "still", "shadows"):
         check_settings(part, settings[part][0])
     entry = settings["few"][0]["entries"][0]

@@ -127,7 +127,7 @@ class Documents(unittest.TestCase):
             argument = {"pareto": "street", "best": "street", "chain": "street",
                         "hierarchy": "street", "shadows": "birds", "setting": "RoundSize",
                         "resolution": "0.1", "fights": "0.1", "gaps": "1",
-                        "receivers": "1e3"}.get(name, "")
+                        "receivers": "1e3", "maps": "bias"}.get(name, "")
             try:
                 text = draw(self.study, argument)
             except tables.NotMeasured:
@@ -150,6 +150,20 @@ class Documents(unittest.TestCase):
         self.assertEqual(found["stock"][0], "street")
         self.assertEqual(found["early-depth"][5], found["stock"][6])
         self.assertEqual(found["early-depth"][7], "1")
+
+    def test_shadow_maps(self):
+        self.assertEqual(
+            [row[1] for row in rows(tables.maps(self.study, "exponent"))],
+            ["vtk@256", "vtk@256:Exponent=80", "vtk@1024", "vtk@1024:Exponent=80"])
+        for key in ("resolution", "bias"):
+            for row in rows(tables.maps(self.study, key)):
+                self.assertTrue(row[1].startswith("vtk@") and "EachFrame" not in row[1])
+        # Of the two with the same map the faster one counts; 4096 takes longer than the volumes.
+        row, = rows(tables.map_times(self.study, ""))
+        self.assertEqual((row[0], row[4]), ("birds", "1024 x 1024"))
+        self.study["maps"][0]["modes"]["auto"]["median_ms"] = 1
+        row, = rows(tables.map_times(self.study, ""))
+        self.assertEqual(row[4], "256 x 256, slower")
 
     def test_setting_of_shadows(self):
         text = tables.setting(self.study, "BoxCost")
