@@ -48,8 +48,9 @@ from report_tables import (
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the backend has to be chosen first)
 
-DOCUMENTS = ("accuracy.md", "accuracy-depth.md", "accuracy-levels.md", "accuracy-particles.md",
-             "accuracy-scenes.md", "accuracy-settings.md", "benchmarks.md")
+DOCUMENTS = ("accuracy.md", "accuracy-depth.md", "accuracy-device.md", "accuracy-levels.md",
+             "accuracy-particles.md", "accuracy-scenes.md", "accuracy-settings.md",
+             "accuracy-shadow-maps.md")
 TABLES = {**OTHER_TABLES, **DEPTH_TABLES}
 TABLE = re.compile(r"(<!-- table: ([^\n]*?) -->\n).*?(<!-- end -->)", re.DOTALL)
 

@@ -13,8 +13,8 @@ import subprocess
 import sys
 
 BENCH, SOURCE, OUT = (pathlib.Path(argument) for argument in sys.argv[1:])
-DOCUMENTS = ("accuracy", "accuracy-depth", "accuracy-levels", "accuracy-particles",
-             "accuracy-scenes", "accuracy-settings", "benchmarks")
+DOCUMENTS = ("accuracy", "accuracy-depth", "accuracy-device", "accuracy-levels",
+             "accuracy-particles", "accuracy-scenes", "accuracy-settings", "accuracy-shadow-maps")
 CHARTS = ("depth-", "pareto-", "shadows-", "shadow-errors-", "settings-city-street", "settings-birds")
 
 
