@@ -62,11 +62,12 @@ BOX_COSTS = [8, 16, 64, 256, 1024, 4096]
 SHADOW_VALUES = [("auto", "BoxCost", BOX_COSTS), ("exact", "BoxCost", BOX_COSTS),
                  ("slabs", "BoxCost", BOX_COSTS), ("slabs", "SlabGap", [1, 2, 4, 8, 16, 64])]
 
-# VTK's shadow maps: exponents, and polygon offsets (factor, units), with the usual resolution. The
-# lamp hangs so high that the map of a spot is not empty.
+# VTK's shadow maps with the usual resolution: exponents, and polygon offsets (factor, units) with an
+# exponent that needs them. Resolutions have VTK's own exponent and the best one. The lamp hangs so
+# high that the map of a spot is not empty.
 MAP_EXPONENTS = [2, 5, 20, 40, 80, 88]
-MAP_OFFSETS = [(1, 0), (2, 0), (4, 0), (0, 16), (2, 4), (8, 16)]
-MAP_EXPONENT, MAP_RESOLUTION = 80, 1024
+MAP_OFFSETS = [(1, 0), (4, 0), (16, 0), (0, 16), (0, 1000), (4, 1000)]
+MAP_RESOLUTION, MAP_BEST_EXPONENT, MAP_OFFSET_EXPONENT = 1024, 40, 80
 MAP_LAMP = "60,-60,290,9"
 
 # The default under other names. After a mode that draws everything, the next mode finds nothing of
@@ -216,10 +217,12 @@ class Study:
         usual = f"vtk@{MAP_RESOLUTION}"
         modes = ["none", "auto", usual]
         for size in self.effort.maps:
-            modes += [f"vtk@{size}:EachFrame=1", f"vtk@{size}:Exponent={MAP_EXPONENT}:EachFrame=1"]
+            modes += [f"vtk@{size}:EachFrame=1", f"vtk@{size}:Exponent={MAP_BEST_EXPONENT}:EachFrame=1"]
         modes += [f"{usual}:Exponent={exponent}" for exponent in MAP_EXPONENTS]
-        modes += [f"{usual}:Exponent={MAP_EXPONENT}:OffsetFactor={factor}:OffsetUnits={units}"
+        modes += [f"{usual}:Exponent={MAP_OFFSET_EXPONENT}:OffsetFactor={factor}:OffsetUnits={units}"
                   for factor, units in MAP_OFFSETS]
+        if "Exponent" not in self.defaults["maps"]:  # A version of VTK that has no setting for it.
+            modes = [mode for mode in modes if "Exponent" not in mode]
         side = self.effort.shadow_size.split("x")[1]
         return {"maps": [
             self.shadow(scene, self.effort.shadow_frames, modes, "--oracle", "--oracle-once", "--size",

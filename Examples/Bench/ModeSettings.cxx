@@ -10,12 +10,28 @@
 #include <charconv>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 namespace NBufferBench
 {
 namespace
 {
 constexpr char TestSlivers[] = "TestSlivers";
+
+/// The exponential constant of shadow maps: here of versions of VTK that have no setting for it.
+template <typename Baker, typename = void>
+struct ExponentOf
+{
+  static constexpr bool Exists = false;
+  static void Set(Baker*, float) {}
+};
+template <typename Baker>
+struct ExponentOf<Baker, std::void_t<decltype(std::declval<Baker&>().SetExponentialConstant(1.0f))>>
+{
+  static constexpr bool Exists = true;
+  static void Set(Baker* baker, float exponent) { baker->SetExponentialConstant(exponent); }
+};
 
 struct MapSetting
 {
@@ -69,7 +85,10 @@ std::vector<std::string> GetNames(ShadowMapSettings*)
   std::vector<std::string> names;
   for (const MapSetting& setting : MapSettings)
   {
-    names.emplace_back(setting.Name);
+    if (setting.Member != &ShadowMapSettings::Exponent || ExponentOf<vtkShadowMapBakerPass>::Exists)
+    {
+      names.emplace_back(setting.Name);
+    }
   }
   return names;
 }
@@ -174,9 +193,9 @@ void ApplySettings(const std::string& mode, ShadowMapSettings* maps)
   Apply(mode, maps);
 }
 
-ShadowMapSettings::ShadowMapSettings()
-  : Exponent(static_cast<int>(vtkNew<vtkShadowMapBakerPass>()->GetExponentialConstant()))
+void SetExponent(vtkShadowMapBakerPass* baker, int exponent)
 {
+  ExponentOf<vtkShadowMapBakerPass>::Set(baker, static_cast<float>(exponent));
 }
 
 Json::Value GetDefaults()

@@ -18,6 +18,7 @@
 #include <vector>
 
 class vtkNBufferCuller;
+class vtkShadowMapBakerPass;
 class vtkShadowVolumeClampPass;
 
 namespace NBufferBench
@@ -35,8 +36,9 @@ const Entry* FindNamed(const Entry (&entries)[N], const std::string& name)
 /// Settings of vtkShadowMapPass, and what its map is drawn with.
 struct ShadowMapSettings
 {
-  ShadowMapSettings();
-  int Exponent; ///< The exponential constant, 1 to 88 (its exponential has to be a float).
+  /// The exponential constant, 1 to 88 (its exponential has to be a float). 11 is VTK's own, and
+  /// the only one of versions that have no setting for it.
+  int Exponent = 11;
   ///@{
   /// The polygon offset with which the map is drawn, 0 to 1000. VTK draws it without.
   int OffsetFactor = 0;
@@ -56,6 +58,9 @@ std::string GetModeKind(const std::string& mode);
 
 /// Removes each name that occurs earlier in the list.
 void RemoveRepeated(std::vector<std::string>& modes);
+
+/// Sets the exponential constant, where this version of VTK has a setting for it.
+void SetExponent(vtkShadowMapBakerPass* baker, int exponent);
 
 ///@{
 /// Apply the settings in a mode's name. Throw std::runtime_error for a setting that is unknown, is

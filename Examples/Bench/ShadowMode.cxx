@@ -42,7 +42,7 @@ vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution, const ShadowMapSet
   {
     baker->SetResolution(static_cast<unsigned int>(resolution));
   }
-  baker->SetExponentialConstant(static_cast<float>(settings.Exponent));
+  SetExponent(baker, settings.Exponent);
   if (settings.OffsetFactor > 0 || settings.OffsetUnits > 0)
   {
     vtkNew<NBufferPeers::PolygonOffsetPass> offset;

@@ -4,12 +4,21 @@
 # cmake -DPROGRAM=nbuffer-bench -DOUT=maps.json -P this
 #
 # Settings of VTK's shadow maps do what they are for: a small exponent loses shadows, a polygon offset
-# takes acne away, and a map that is drawn for each frame is the same map.
+# takes acne away, and a map that is drawn for each frame is the same map. Without a setting for the
+# exponent (VTK 9.1) only the last one is tested, and that an offset changes something.
 
+execute_process(
+  COMMAND "${PROGRAM}" defaults OUTPUT_VARIABLE defaults COMMAND_ERROR_IS_FATAL ANY)
+string(JSON exponent ERROR_VARIABLE no_exponent GET "${defaults}" maps Exponent)
 set(plain vtk@256)
 set(small vtk@256:Exponent=2)
 set(large vtk@256:Exponent=80)
 set(offset vtk@256:Exponent=80:OffsetFactor=4)
+if (no_exponent)
+  set(small ${plain})
+  set(large ${plain})
+  set(offset vtk@256:OffsetFactor=4)
+endif ()
 set(again vtk@256:EachFrame=1)
 execute_process(
   COMMAND "${PROGRAM}" shadow --scene birds --size 161x161 --frames 2 --oracle --oracle-once
@@ -30,8 +39,8 @@ foreach (mode IN ITEMS plain small large offset again)
     message(FATAL_ERROR "${${mode}}: ${wrong} wrong samples, and ${errors}")
   endif ()
 endforeach ()
-if (NOT small_lost GREATER plain_lost OR NOT offset_acne LESS large_acne
-    OR NOT again_errors STREQUAL plain_errors)
+if ((NOT no_exponent AND NOT (small_lost GREATER plain_lost AND offset_acne LESS large_acne))
+    OR offset_errors STREQUAL large_errors OR NOT again_errors STREQUAL plain_errors)
   message(FATAL_ERROR "${plain_errors}, exponent 2 ${small_errors}, 80 ${large_errors}, with an offset "
     "${offset_errors}, for each frame ${again_errors}")
 endif ()

@@ -160,10 +160,10 @@ class Documents(unittest.TestCase):
                 self.assertTrue(row[1].startswith("vtk@") and "EachFrame" not in row[1])
         # Of the two with the same map the faster one counts; 4096 takes longer than the volumes.
         row, = rows(tables.map_times(self.study, ""))
-        self.assertEqual((row[0], row[4]), ("birds", "1024 x 1024"))
+        self.assertEqual((row[0], row[5]), ("birds", "1024 x 1024"))
         self.study["maps"][0]["modes"]["auto"]["median_ms"] = 1
         row, = rows(tables.map_times(self.study, ""))
-        self.assertEqual(row[4], "256 x 256, slower")
+        self.assertEqual(row[5], "256 x 256, slower")
 
     def test_setting_of_shadows(self):
         text = tables.setting(self.study, "BoxCost")
