@@ -227,7 +227,7 @@ class Study:
         return {"maps": [
             self.shadow(scene, self.effort.shadow_frames, modes, "--oracle", "--oracle-once", "--size",
                         f"{side}x{side}", *(["--lamp", MAP_LAMP] if scene == "city-spot" else []))
-            for scene in self.effort.shadow_scenes]}
+            for scene in self.effort.shadow_settings_scenes]}
 
     def run(self):
         begin = time.monotonic()
