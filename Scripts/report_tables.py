@@ -524,7 +524,7 @@ def maps(report, key):
                 int(number) for number in re.findall(r"\d+", entry[0])]):
             oracle = mode["oracle"]
             rows.append([scene["scene"], name.replace(":EachFrame=1", ""), wrong_percent(mode),
-                         *(str(oracle["errors"][error]) for error in ERRORS)])
+                         *(oracle["errors"][error] for error in ERRORS)])
     return table(["scene", "mode", "wrong, %", "outline", "acne", "peter-panning", "leaks"], rows)
 
 
@@ -539,9 +539,10 @@ def map_times(report, _):
         fast = [size for size, modes in timed.items()
                 if min(mode["median_ms"] for mode in modes) <= ours["median_ms"]]
         size = max(fast) if fast else min(timed)
-        wrong = [f"{mode['oracle']['wrong']} ({number(wrong_percent(mode))} %)" for mode in timed[size]]
+        wrong = [f"{number(mode['oracle']['wrong'])} ({number(wrong_percent(mode))} %)"
+                 for mode in timed[size]]
         rows.append([scene["scene"], scene["modes"]["none"]["median_ms"], span(times_of(ours)),
-                     str(ours["oracle"]["wrong"]), span(times_of(scene["modes"]["vtk@1024"])),
+                     ours["oracle"]["wrong"], span(times_of(scene["modes"]["vtk@1024"])),
                      f"{size} x {size}" + ("" if fast else ", slower"),
                      span(times_of(timed[size][0])), *(wrong + [""])[:2]])
     return table(["scene", "no shadows ms", "volumes (auto) ms", "wrong", "a map that is kept ms",
