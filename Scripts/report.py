@@ -41,6 +41,7 @@ except ImportError as error:
     raise SystemExit(f"{__doc__}\nreport.py: {error}") from error
 
 from report_depth import DEPTH_TABLES, depths, format_entries, wrong_percent
+from report_device import DEVICE_TABLES
 from report_tables import (
     OTHER_TABLES, NotMeasured, mark_pareto, number, setting_scenes, shadow_points, shadowed_percent,
     structures)
@@ -51,7 +52,7 @@ from matplotlib import pyplot  # noqa: E402 (the backend has to be chosen first)
 DOCUMENTS = ("accuracy.md", "accuracy-depth.md", "accuracy-device.md", "accuracy-levels.md",
              "accuracy-particles.md", "accuracy-scenes.md", "accuracy-settings.md",
              "accuracy-shadow-maps.md")
-TABLES = {**OTHER_TABLES, **DEPTH_TABLES}
+TABLES = {**OTHER_TABLES, **DEPTH_TABLES, **DEVICE_TABLES}
 TABLE = re.compile(r"(<!-- table: ([^\n]*?) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 # Colours of Okabe and Ito, and shapes for readers who do not tell colours apart.
