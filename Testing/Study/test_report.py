@@ -28,6 +28,7 @@ except ImportError as error:
 
 import report  # noqa: E402
 import report_depth as depth  # noqa: E402
+import report_device as device  # noqa: E402
 import report_tables as tables  # noqa: E402
 
 STUDY = HERE / "small-study.json"
@@ -137,11 +138,11 @@ class Documents(unittest.TestCase):
                 self.assertEqual(len(row), len(text[text.index("|"):].splitlines()[0].split("|")) - 2)
 
     def test_chains_of_two_eyes(self):
-        paper, _, measured = rows(tables.eyes(self.study, ""))
+        paper, _, measured = rows(device.eyes(self.study, ""))
         self.assertEqual((paper[1], paper[3], paper[5]), ("0.25", "0.22", "0.12"))
         self.assertEqual(measured[0], "256 x 256")
         self.assertTrue(all(" / " in cell for cell in measured[1:]))
-        groups = dict(rows(tables.groups(self.study, "")))
+        groups = dict(rows(device.groups(self.study, "")))
         self.assertEqual(len(groups), 4)
         self.assertEqual(groups["4 x 4, fetch, tree"], "not measured")
 
