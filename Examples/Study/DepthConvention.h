@@ -11,23 +11,16 @@
  *     Reversed    (1 - z / w) / 2      1           0          minimum   0
  *     InverseW    near / w             1           near / far minimum   0
  *
- * VTK draws Forward, and the module supports nothing else (vtkNBufferDepthConvention.h). In a
- * renderer that draws Reversed, the matrix computes (w - z) / 2 as z, with
- * glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE): only then do small floats keep their precision.
- * InverseW is useless in parallel projection, where w is constant: every box is then Crossing.
+ * VTK draws Forward, and an application may let it draw Reversed (vtkNBufferStoredDepth): the
+ * matrix then computes (w - z) / 2 as z, with glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE). The
+ * module supports nothing else. InverseW is useless in parallel projection, where w is constant:
+ * every box is then Crossing.
  *
  * The study uses the order of a depth, sign * stored depth, with a sign of 1 for Forward and -1 for
  * the others. The order grows with distance in every convention, so that levels of maxima
  * and all tests of the module can be used as they are.
  *
- * ## The slack of the other conventions
- *
- * vtkNBufferBoxError.h derives the slack of VTK's depth. In conventions in which far depths are
- * small, floats are precise there. For Reversed and InverseW the slack is
- *
- *     2 quantum + 6 u * (largest depth of the box) + the same part of R,
- *
- * with a quantum of 0 for floats, because the 6 u include the rounding of their storage.
+ * vtkNBufferBoxError.h derives the slack of both; InverseW has that of Reversed.
  */
 #ifndef DepthConvention_h
 #define DepthConvention_h
@@ -73,12 +66,6 @@ inline void SetProjection(vtkNBufferProjection& projection, const double worldTo
     projection.Set(worldToClip, width, height, depthQuantum);
     return;
   }
-  vtkNBufferDepthFormat format;
-  format.Scale = 1.0;
-  format.Offset = 0.0;
-  format.Farthest = 0.0;
-  format.Slack = 2.0 * depthQuantum;
-  format.RelativeSlack = 6.0 * vtkNBufferBoxError::UnitRoundoff;
   // Row 2 gives the order times w, which is -w on the near plane.
   double matrix[16];
   std::copy_n(worldToClip, 16, matrix);
@@ -96,7 +83,8 @@ inline void SetProjection(vtkNBufferProjection& projection, const double worldTo
     std::fill_n(matrix + 8, 3, 0.0);
     matrix[11] = -1.0 / (clipToWorld[3][3] - clipToWorld[2][3]);
   }
-  projection.Set(matrix, width, height, format);
+  projection.Set(matrix, width, height,
+    vtkNBufferDepthFormat::FromQuantum(depthQuantum, vtkNBufferStoredDepth::Reversed));
 }
 
 } // namespace NBufferStudy

@@ -42,8 +42,9 @@ double GetHeight(const Triangle& onScreen)
   return std::abs(GetArea(onScreen)) / longest;
 }
 
-Sampler::Sampler(const CameraCase& camera, unsigned int seed)
+Sampler::Sampler(const CameraCase& camera, unsigned int seed, vtkNBufferStoredDepth stored)
   : Case(camera)
+  , Stored(stored)
   , Random(seed)
 {
   // Along an axis, so that a triangle has the depth range of its bounds.
@@ -59,11 +60,36 @@ Sampler::Sampler(const CameraCase& camera, unsigned int seed)
   this->ClipToWorld = vtkNBufferGLM::Invert(this->WorldToClip);
 }
 
+glm::dmat4 Sampler::GetWorldToClip() const
+{
+  glm::dmat4 matrix = this->WorldToClip;
+  if (this->Stored == vtkNBufferStoredDepth::Reversed)
+  {
+    matrix = glm::row(matrix, 2, 0.5 * (glm::row(matrix, 3) - glm::row(matrix, 2)));
+  }
+  return matrix;
+}
+
+glm::dmat4 Sampler::GetWorldToOrder() const
+{
+  glm::dmat4 matrix = this->GetWorldToClip();
+  if (this->Stored == vtkNBufferStoredDepth::Reversed)
+  {
+    matrix = glm::row(matrix, 2, -2.0 * glm::row(matrix, 2) - glm::row(matrix, 3));
+  }
+  return matrix;
+}
+
 vtkNBufferProjection Sampler::GetProjection(double quantum) const
 {
+  glm::dmat4 matrix = this->GetWorldToClip();
+  if (this->Stored == vtkNBufferStoredDepth::Reversed)
+  {
+    matrix = glm::row(matrix, 2, -glm::row(matrix, 2));
+  }
   vtkNBufferProjection projection;
-  projection.Set(vtkNBufferGLM::ToRows(this->WorldToClip).data(), Width, Height, quantum, 0,
-    vtkNBufferGL::GetSubpixelBits());
+  projection.Set(vtkNBufferGLM::ToRows(matrix).data(), Width, Height,
+    vtkNBufferDepthFormat::FromQuantum(quantum, this->Stored), 0, vtkNBufferGL::GetSubpixelBits());
   return projection;
 }
 
@@ -162,9 +188,10 @@ Triangle Sampler::MakeGround()
   return triangle;
 }
 
-Judge::Judge(const glm::dmat4& worldToClip, const Triangle& triangle, bool isBehind)
-  : Vertices(ToScreen(worldToClip, triangle))
+Judge::Judge(const Sampler& sampler, const Triangle& triangle, bool isBehind)
+  : Vertices(ToScreen(sampler.GetWorldToOrder(), triangle))
   , IsBehind(isBehind)
+  , Stored(sampler.GetStored())
 {
   const Triangle& v = this->Vertices;
   this->Nearest = std::min({ v[0].z, v[1].z, v[2].z });
@@ -176,14 +203,16 @@ Judge::Judge(const glm::dmat4& worldToClip, const Triangle& triangle, bool isBeh
 void Judge::Compare(const vtkNBufferScreenBox& screen, const vtkNBufferRectangle& rectangle,
   const std::vector<float>& depth, Finding& finding) const
 {
-  const double slack = 0.5 * screen.Slack[2];
+  const double slack =
+    vtkNBufferDepthFormat::FromQuantum(0.0, this->Stored).Scale * screen.Slack[2];
+  const double background = this->Stored == vtkNBufferStoredDepth::Reversed ? 0.0 : 1.0;
   const glm::dvec2 pixelSlack = 0.5 * glm::dvec2(Width, Height) * glm::dvec2(screen.Slack);
   const double planeSlack = slack + glm::dot(glm::abs(this->Slope), pixelSlack);
   const float* next = depth.data();
   for (const auto& [x, y] : Pixels(rectangle))
   {
     const double z = *next++;
-    if (z == 1.0)
+    if (z == background)
     {
       continue;
     }

@@ -44,7 +44,7 @@ enum class Kind
 using Triangle = std::array<glm::dvec3, 3>;
 
 ///@{
-/// Return x and y in pixels, and the window depth as z.
+/// Return x and y in pixels, and the window depth, or the order of reversed depth, as z.
 glm::dvec3 ToScreen(const glm::dmat4& worldToClip, const glm::dvec3& point);
 Triangle ToScreen(const glm::dmat4& worldToClip, const Triangle& triangle);
 ///@}
@@ -82,7 +82,8 @@ struct Finding
 class Sampler
 {
 public:
-  Sampler(const CameraCase& camera, unsigned int seed);
+  Sampler(const CameraCase& camera, unsigned int seed,
+    vtkNBufferStoredDepth stored = vtkNBufferStoredDepth::Ordinary);
 
   double Uniform(double a, double b)
   {
@@ -92,7 +93,11 @@ public:
   double Logarithmic(double a, double b) { return std::exp(Uniform(std::log(a), std::log(b))); }
 
   vtkCamera* GetCamera() const { return this->Camera; }
-  const glm::dmat4& GetWorldToClip() const { return this->WorldToClip; }
+  /// Returns the matrix with which a device draws.
+  glm::dmat4 GetWorldToClip() const;
+  /// Returns the matrix for ToScreen().
+  glm::dmat4 GetWorldToOrder() const;
+  vtkNBufferStoredDepth GetStored() const { return this->Stored; }
   vtkNBufferProjection GetProjection(double quantum = 0x1p-24) const;
   /// Returns the origin, in world coordinates, of the coordinates in the vertex buffer.
   glm::dvec3 GetShift() const
@@ -119,6 +124,7 @@ private:
   glm::dvec3 ToWorld(double x, double y, double z) const;
 
   const CameraCase& Case;
+  vtkNBufferStoredDepth Stored;
   std::mt19937 Random;
   vtkNew<vtkCamera> Camera;
   glm::dmat4 WorldToClip;
@@ -129,16 +135,17 @@ private:
 class Judge
 {
 public:
-  Judge(const glm::dmat4& worldToClip, const Triangle& triangle, bool isBehind);
+  Judge(const Sampler& sampler, const Triangle& triangle, bool isBehind);
 
-  /// Checks all fragments against the slack. `depth` is that of the rectangle, row by row; `screen`
-  /// is the triangle's projected box.
+  /// Checks all fragments against the slack. `depth` has the orders of the rectangle, row by row;
+  /// `screen` is the triangle's projected box.
   void Compare(const vtkNBufferScreenBox& screen, const vtkNBufferRectangle& rectangle,
     const std::vector<float>& depth, Finding& finding) const;
 
 private:
   Triangle Vertices;
   bool IsBehind;
+  vtkNBufferStoredDepth Stored;
   double Nearest;
   double Farthest;
   glm::dvec2 Slope;

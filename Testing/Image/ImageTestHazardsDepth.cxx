@@ -48,28 +48,15 @@ public:
     return options;
   }
 
-  /// VTK's render windows have depth of 32 bits, or of 24 with stencil, and no switch for others:
-  /// another texture takes the place of the one in the render framebuffer.
   void SetFormat(Stage& stage) const
   {
     const Format& format = this->GetParam();
     stage.Window->SetStencilCapable(format.Stencil);
     stage.Window->Render(); // makes the framebuffers
-    if (format.Texture < 0)
+    if (format.Texture >= 0)
     {
-      return;
+      Scenes::SetDepthFormat(stage, format.Texture);
     }
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
-    vtkNew<vtkTextureObject> depth;
-    depth->SetContext(window);
-    depth->SetSamples(window->GetMultiSamples());
-    depth->SetMinificationFilter(vtkTextureObject::Nearest);
-    depth->SetMagnificationFilter(vtkTextureObject::Nearest);
-    ASSERT_TRUE(depth->AllocateDepth(Width, Height, format.Texture));
-    window->GetState()->PushFramebufferBindings();
-    window->GetRenderFramebuffer()->Bind();
-    window->GetRenderFramebuffer()->AddDepthAttachment(depth);
-    window->GetState()->PopFramebufferBindings();
   }
 
   /// What the culler finds there.

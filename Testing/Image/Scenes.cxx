@@ -10,7 +10,11 @@
 #include "vtkCamera.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkProperty.h"
+#include "vtkTextureObject.h"
 
 #include <cmath>
 #include <random>
@@ -202,6 +206,23 @@ void SetPixelCamera(vtkRenderer* renderer, int width, int height, double shiftX,
   camera->SetFocalPoint(x, y, 0.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetClippingRange(1.0, 201.0);
+}
+
+void SetDepthFormat(Stage& stage, int format)
+{
+  stage.Window->Render(); // makes the framebuffers
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
+  const int* size = window->GetSize();
+  vtkNew<vtkTextureObject> depth;
+  depth->SetContext(window);
+  depth->SetSamples(window->GetMultiSamples());
+  depth->SetMinificationFilter(vtkTextureObject::Nearest);
+  depth->SetMagnificationFilter(vtkTextureObject::Nearest);
+  ASSERT_TRUE(depth->AllocateDepth(size[0], size[1], format));
+  window->GetState()->PushFramebufferBindings();
+  window->GetRenderFramebuffer()->Bind();
+  window->GetRenderFramebuffer()->AddDepthAttachment(depth);
+  window->GetState()->PopFramebufferBindings();
 }
 
 void MoveWallCamera(Comparison& comparison, double shift)

@@ -83,6 +83,11 @@ ComparisonOptions MakeExactOptions(int width, int height, int baseFactor = 1);
 void SetPixelCamera(
   vtkRenderer* renderer, int width, int height, double shiftX = 0.0, double shiftY = 0.0);
 
+/// Gives the window depth of a format of vtkTextureObject. VTK's render windows have depth of 32
+/// bits, or of 24 with stencil, and no switch for others: another texture takes the place of the
+/// one in the render framebuffer. The size of the window must not change afterwards.
+void SetDepthFormat(Stage& stage, int format);
+
 /// Expects that the culler has warned once, and that the messages contain each of the words.
 void ExpectOneWarning(const std::string& messages, const std::vector<std::string>& words);
 

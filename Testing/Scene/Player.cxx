@@ -4,6 +4,7 @@
 
 #include "Fill.h"
 #include "Judge.h"
+#include "ReversedDepth.h"
 #include "SceneBuilder.h"
 #include "SceneProps.h"
 #include "TestedBackend.h"
@@ -173,8 +174,16 @@ void Player::AddRenderers()
     }
     else
     {
-      vtkNew<vtkCamera> camera;
-      renderer->SetActiveCamera(camera);
+      if (description.Pass == PassKind::Reversed)
+      {
+        vtkNew<ReversedCamera> reversed;
+        reversed->SetInfiniteFar(description.InfiniteFar);
+        renderer->SetActiveCamera(reversed);
+      }
+      else
+      {
+        renderer->SetActiveCamera(vtkNew<vtkCamera>());
+      }
     }
     layers = std::max(layers, description.Layer + 1);
     this->Window->SetNumberOfLayers(layers);

@@ -29,11 +29,12 @@ enum class PassKind
   Sobel,                   ///< vtkSobelGradientMagnitudePass, which the culler does not know.
   ShadowVolumes,           ///< vtkShadowVolumeClampPass as the pass of the renderer.
   ShadowVolumesInSequence, ///< In the place of the opaque pass of OpaqueTranslucent.
-  SSAA
+  SSAA,
+  Reversed ///< OpaqueTranslucent with reversed depth, to which the camera projects.
 };
 NBUFFER_SCENE_NAMES(PassKind, "None", "RenderSteps", "OpaqueTranslucent", "OpaqueTwice",
   "TranslucentFirst", "Default", "DepthPeeling", "DualDepthPeeling", "SSAO", "FXAA", "Framebuffer",
-  "Sobel", "ShadowVolumes", "ShadowVolumesInSequence", "SSAA");
+  "Sobel", "ShadowVolumes", "ShadowVolumesInSequence", "SSAA", "Reversed");
 
 struct Renderer
 {
@@ -44,6 +45,7 @@ struct Renderer
   bool SharesCamera = false; ///< Whether it has the camera of renderer 0.
   bool SharesProps = false;  ///< Whether all props of renderer 0 are in this one as well.
   PassKind Pass = PassKind::None;
+  bool InfiniteFar = false; ///< Whether a reversed pass has its far plane in the infinite.
   bool SSAO = false;
   bool FXAA = false;
   bool DepthPeeling = false;
@@ -52,7 +54,7 @@ struct Renderer
   bool Shadows = false;
 
   NBUFFER_SCENE_MEMBERS(Viewport, Layer, Erase, PreserveDepth, SharesCamera, SharesProps, Pass,
-    SSAO, FXAA, DepthPeeling, OIT, HiddenLines, Shadows);
+    InfiniteFar, SSAO, FXAA, DepthPeeling, OIT, HiddenLines, Shadows);
 };
 
 struct Window

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScenePasses.h"
 
+#include "ReversedDepth.h"
+
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkDepthPeelingPass.h"
@@ -134,6 +136,12 @@ vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows)
       return AroundSteps<vtkSobelGradientMagnitudePass>();
     case PassKind::SSAA:
       return AroundSteps<vtkSSAAPass>();
+    case PassKind::Reversed:
+    {
+      vtkNew<ReversedDepthPass> reversed;
+      reversed->Delegate = InSequence({ lights, shadows ? shadows : opaque.Get(), translucent });
+      return WithCamera(reversed);
+    }
   }
   return nullptr;
 }

@@ -16,8 +16,8 @@
 
 namespace TestScene
 {
-/// Makes a pass; nullptr for PassKind::None. The kinds with shadow volumes use the pass `shadows`;
-/// if it is nullptr, they draw the same without shadows.
+/// Makes a pass; nullptr for PassKind::None. The kinds with shadow volumes, and reversed ones, use
+/// the pass `shadows`; if it is nullptr, they draw the same without shadows.
 vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows = nullptr);
 
 inline bool HasShadowVolumes(PassKind kind)

@@ -14,6 +14,7 @@
 #include <random>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -302,15 +303,33 @@ TEST(NBufferMath, BaseRectangleIsRoundedOutwardAndTight)
 TEST(NBufferDepthConvention, ConstantsFollowFromTheOrder)
 {
   namespace Depth = vtkNBufferDepthConvention;
-  EXPECT_LT(Depth::GetOrder(Depth::Nearest), Depth::GetOrder(Depth::Background));
   // z / w is -1 on the near plane and 1 on the far plane.
-  EXPECT_EQ(-Depth::Scale + Depth::Offset, Depth::GetOrder(Depth::Nearest));
-  EXPECT_EQ(Depth::Scale + Depth::Offset, Depth::GetOrder(Depth::Background));
-  EXPECT_TRUE(Depth::IsDrawn(Depth::Nearest));
-  EXPECT_TRUE(Depth::IsDrawn(std::nextafter(Depth::Background, Depth::Nearest)));
+  EXPECT_EQ(-Depth::Scale + Depth::Offset, 0.0);
+  EXPECT_EQ(Depth::Scale + Depth::Offset, Depth::Background);
+  EXPECT_EQ(Depth::InverseOffset, -1.0);
+  EXPECT_EQ(Depth::InverseScale * Depth::Background + Depth::InverseOffset, 1.0);
+  EXPECT_TRUE(Depth::IsDrawn(0.0f));
+  EXPECT_TRUE(Depth::IsDrawn(std::nextafter(Depth::Background, 0.0f)));
   EXPECT_FALSE(Depth::IsDrawn(Depth::Background));
-  EXPECT_EQ(Depth::Farthest == vtkNBufferExtremum::Maximum, Depth::Background > Depth::Nearest);
   EXPECT_NE(Depth::PassIfNearer, Depth::PassIfFarther);
+}
+
+// Hazard: the farthest of several depths is taken from the wrong end.
+TEST(NBufferDepthConvention, FarthestDepthHasTheLargestOrder)
+{
+  for (const auto stored : { vtkNBufferStoredDepth::Ordinary, vtkNBufferStoredDepth::Reversed })
+  {
+    std::vector<float> depth = { 0.25f, 0.0f, 1.0f, 0.75f, 1e-30f };
+    const auto [low, high] = std::minmax_element(depth.begin(), depth.end());
+    const bool isMaximum =
+      vtkNBufferDepthConvention::GetFarthest(stored) == vtkNBufferExtremum::Maximum;
+    const auto farthest = (isMaximum ? high : low) - depth.begin();
+    vtkNBufferDepthConvention::ToOrders(stored, depth.data(), depth.size());
+    EXPECT_EQ(std::max_element(depth.begin(), depth.end()) - depth.begin(), farthest);
+    EXPECT_EQ(depth[0], isMaximum ? 0.25f : -0.25f);
+    EXPECT_EQ(depth[4], isMaximum ? 1e-30f : -1e-30f);
+    EXPECT_LE(depth[farthest], vtkNBufferDepthConvention::Background);
+  }
 }
 
 // Hazard: inclusive and exclusive ends of rectangles are confused.

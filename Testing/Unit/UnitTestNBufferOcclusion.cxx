@@ -46,8 +46,8 @@ struct Scene
   }
   void Build(int factor, int levels = 20)
   {
-    this->Levels.BuildBase(this->Depth.data(), this->Eye.Width, this->Eye.Height, factor,
-      vtkNBufferDepthConvention::Farthest);
+    this->Levels.BuildBase(
+      this->Depth.data(), this->Eye.Width, this->Eye.Height, factor, vtkNBufferExtremum::Maximum);
     this->Levels.BuildLevels(levels);
   }
   /// The same depth everywhere.

@@ -339,6 +339,15 @@ TEST(NBufferProjectionOnce, SlackIsThatOfItsDerivation)
   const double interpolation = 16.0 * (std::exp2(-8.5) + 8.0 * u * 1000.0) * range;
   EXPECT_NEAR(error.GetDepthSlack(0.5, range), format.Slack + interpolation, 1e-3 * interpolation);
   EXPECT_DOUBLE_EQ(error.GetDepthSlack(0.5, 0.0), format.Slack);
+  // The order of reversed depth is z / w itself, and its slack grows with the depth.
+  const auto reversed =
+    vtkNBufferDepthFormat::FromQuantum(quantum, vtkNBufferStoredDepth::Reversed);
+  EXPECT_EQ(reversed.Scale, 1.0);
+  EXPECT_EQ(reversed.Offset, 0.0);
+  error.Set(reversed, 1000, 8);
+  EXPECT_DOUBLE_EQ(error.GetDepthSlack(-0.5, 0.0), 2.0 * quantum + 3.0 * u);
+  EXPECT_NEAR(error.GetDepthSlack(0.0, range), 2.0 * quantum + interpolation, 1e-3 * interpolation);
+  error.Set(format, 1000, 8);
   vtkNBufferBox box;
   box.Origin = { 1.0, 0.0, 0.0 };
   box.Magnitude = { 1.0, 2.0, 3.0 };
@@ -401,7 +410,7 @@ TEST(NBufferProjectionOnce, OutlinesAreWidenedForTheSubpixelGrid)
   std::vector<float> depth(size * size, 0.1f);
   depth[15 * size + 20] = 1.0f; // The only pixel that is not before the box.
   vtkNBufferLevels levels;
-  levels.BuildBase(depth.data(), size, size, 1, vtkNBufferDepthConvention::Farthest);
+  levels.BuildBase(depth.data(), size, size, 1, vtkNBufferExtremum::Maximum);
   levels.BuildLevels(5);
   vtkNBufferPixelTest test(projection, levels, depth.data(), 0.0);
   const auto makeBox = [&projection](double right) {

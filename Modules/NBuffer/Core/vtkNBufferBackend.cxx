@@ -13,11 +13,6 @@
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
-constexpr bool FarIsLarge = vtkNBufferDepthConvention::Sign > 0.0;
-static_assert(vtkNBufferDepthConvention::PassIfNearer == (FarIsLarge ? GL_LESS : GL_GREATER) &&
-  vtkNBufferDepthConvention::PassIfNearerOrEqual == (FarIsLarge ? GL_LEQUAL : GL_GEQUAL) &&
-  vtkNBufferDepthConvention::PassIfFarther == (FarIsLarge ? GL_GREATER : GL_LESS));
-
 vtkNBufferBackend::Kind vtkNBufferBackend::Choose(Kind wanted, vtkOpenGLRenderWindow* window)
 {
   if (wanted != Auto)
@@ -107,8 +102,8 @@ void vtkNBufferBackend::Merge(const std::function<bool(vtkNBufferLevels&)>& merg
   const vtkNBufferClock clock;
   vtkNBufferLevels& levels = job.Levels;
   // Levels above 0 are dropped, because they may have been built before the merge.
-  levels.Allocate(job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1,
-    vtkNBufferDepthConvention::Farthest);
+  levels.Allocate(
+    job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1, vtkNBufferExtremum::Maximum);
   this->IsMerged = merge(levels);
   if (this->IsMerged && this->HasDepth)
   {
@@ -142,7 +137,7 @@ bool vtkNBufferBackend::CountFailure(vtkNBufferDecision failure)
   return this->WarnedOf.insert(failure).second;
 }
 
-bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
+bool vtkNBufferBackend::DrawsKnownDepth(const vtkNBufferDepthSource& source)
 {
   GLint scissor[4] = { 0, 0, 0, 0 };
   GLboolean mask = GL_FALSE;
@@ -153,11 +148,8 @@ bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
     (scissor[0] <= viewport[0] && scissor[1] <= viewport[1] &&
       scissor[0] + scissor[2] >= viewport[0] + viewport[2] &&
       scissor[1] + scissor[3] >= viewport[1] + viewport[3]);
-  const auto passes = static_cast<unsigned int>(vtkNBufferGL::GetInteger(GL_DEPTH_FUNC));
-  const bool passesIfNearer = passes == vtkNBufferDepthConvention::PassIfNearerOrEqual ||
-    passes == vtkNBufferDepthConvention::PassIfNearer;
-  return glIsEnabled(GL_DEPTH_TEST) && passesIfNearer && mask && wholeViewport &&
-    source.DefaultDepthRange;
+  return glIsEnabled(GL_DEPTH_TEST) && mask && wholeViewport &&
+    source.Stored != vtkNBufferStoredDepth::Other;
 }
 
 vtkNBufferDecision vtkNBufferBackend::Reduce(
@@ -166,7 +158,7 @@ vtkNBufferDecision vtkNBufferBackend::Reduce(
   const vtkNBufferClock clock;
   const int* viewport = job.Source.Viewport;
   if (!texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2], viewport[3],
-        factor, 1, vtkNBufferDepthConvention::Farthest))
+        factor, 1, vtkNBufferDepthConvention::GetFarthest(job.Source.Stored)))
   {
     why = texture->GetError();
     return texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
@@ -193,6 +185,12 @@ vtkNBufferDecision vtkNBufferBackend::ReadBack(vtkNBufferTexture* texture, const
   {
     statistics.BytesRead +=
       static_cast<long long>(sizeof(float)) * rectangle.GetWidth() * rectangle.GetHeight();
+    for (int y = rectangle.Y0; y < rectangle.Y1; ++y)
+    {
+      vtkNBufferDepthConvention::ToOrders(job.Source.Stored,
+        base + static_cast<std::size_t>(y) * texture->GetWidth() + rectangle.X0,
+        rectangle.GetWidth());
+    }
   }
   return vtkNBufferDecision::None;
 }
@@ -205,8 +203,8 @@ vtkNBufferDecision vtkNBufferBackend::BuildOnDevice(const Job& job, std::string&
     return failure;
   }
   vtkNBufferLevels& levels = job.Levels;
-  levels.Allocate(job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1,
-    vtkNBufferDepthConvention::Farthest);
+  levels.Allocate(
+    job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1, vtkNBufferExtremum::Maximum);
   failure = ReadBack(this->Texture, job, { { 0, 0, levels.GetWidth(), levels.GetHeight() } },
     levels.GetLevelData(0), why);
   if (failure == vtkNBufferDecision::None)
@@ -233,10 +231,11 @@ vtkNBufferDecision vtkNBufferBackend::ReadDepth(const Job& job, std::string& why
   }
   const vtkNBufferClock clock;
   if (!job.Source.Read(job.Window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth,
-        why, vtkNBufferDepthConvention::Farthest))
+        why, vtkNBufferDepthConvention::GetFarthest(job.Source.Stored)))
   {
     return vtkNBufferDecision::NoDepth;
   }
+  vtkNBufferDepthConvention::ToOrders(job.Source.Stored, this->Depth.data(), this->Depth.size());
   vtkNBufferStatistics& statistics = job.Statistics;
   statistics.ReadTime += clock.GetMilliseconds();
   ++statistics.ReadBacks;
@@ -286,7 +285,7 @@ vtkNBufferDecision vtkNBufferBackend::BuildOnHost(const Job& job, std::string& w
   this->HasDepth = true;
   const vtkNBufferClock clock;
   job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
-    job.Factor, vtkNBufferDepthConvention::Farthest);
+    job.Factor, vtkNBufferExtremum::Maximum);
   job.Levels.BuildLevels(job.NumberOfLevels);
   job.Statistics.BuildTime += clock.GetMilliseconds();
   return vtkNBufferDecision::None;

@@ -60,7 +60,8 @@ public:
   };
 
   /**
-   * Build levels of the farthest depths over the viewport of the source. Returns None on success.
+   * Build levels of the farthest depths over the viewport of the source, as orders
+   * (vtkNBufferDepthConvention.h). Returns None on success.
    * On failure returns NoFloatTextures or NoDepth, with cause and remedy in `why`, and leaves no
    * levels. If `wanted` is Auto and the OpenGL path fails, the CPU path is used instead, now and
    * later in this context.
@@ -76,20 +77,20 @@ public:
   void Merge(const std::function<bool(vtkNBufferLevels&)>& merge, const Job& job);
 
   /**
-   * The depth image from which Build() made the levels of `job`: the farthest sample of each pixel
-   * of the viewport, row by row, the lowest row first; or nullptr if it cannot be read. Only the
-   * pixels in `rectangles`, here and in earlier calls since Build(), are defined. The CPU path has
-   * the whole image already. The OpenGL path reads the tiles that it has not read yet
-   * (vtkNBufferDepthTiles), so nothing may have been drawn since Build().
+   * The depth image from which Build() made the levels of `job`: the order of the farthest sample
+   * of each pixel of the viewport, row by row, the lowest row first; or nullptr if it cannot be
+   * read. Only the pixels in `rectangles`, here and in earlier calls since Build(), are defined.
+   * The CPU path has the whole image already. The OpenGL path reads the tiles that it has not read
+   * yet (vtkNBufferDepthTiles), so nothing may have been drawn since Build().
    */
   const float* GetDepth(const Job& job, const std::vector<vtkNBufferRectangle>& rectangles);
 
   /**
    * Whether the state of OpenGL is the one that the test requires while props are drawn: a depth
-   * test that lets nearer fragments pass, no scissor that cuts the viewport, depth that is written,
-   * and the depth range [0, 1].
+   * test that lets nearer fragments pass (vtkNBufferStoredDepth), no scissor that cuts the
+   * viewport, and depth that is written.
    */
-  static bool DrawsOrdinaryDepth(const vtkNBufferDepthSource& source);
+  static bool DrawsKnownDepth(const vtkNBufferDepthSource& source);
 
   /// Whether float textures may be used; see vtkNBufferTexture.
   void SetAllowFloatTextures(bool allow)
@@ -124,7 +125,7 @@ private:
   /// Replace each pixel of a rectangle of the depth image that is farther than its texel of level 0
   /// by this texel.
   void MergePixels(const vtkNBufferLevels& levels, const vtkNBufferRectangle& pixels);
-  /// Read rectangles of level 0 of `texture` back to their places in `base`.
+  /// Read rectangles of level 0 of `texture` back to their places in `base`, as orders.
   static vtkNBufferDecision ReadBack(vtkNBufferTexture* texture, const Job& job,
     const std::vector<vtkNBufferRectangle>& rectangles, float* base, std::string& why);
 

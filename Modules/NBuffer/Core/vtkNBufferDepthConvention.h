@@ -10,73 +10,82 @@
  *
  * and draws with GL_LEQUAL: a fragment replaces what is stored if it is nearer or equally near.
  *
- * Other renderers store other depths. With reversed depth, (1 - z / w) / 2, the near plane is at 1,
- * the background is at 0, and the farthest depth of a square is the minimum, not the maximum. This
- * is the only file that knows which depth is stored. All other files get these from here:
+ * An application may let VTK draw reversed depth instead (vtkNBufferStoredDepth), whose farthest
+ * value is the smallest. The culler therefore compares *orders*, which grow with the distance from
+ * the eye: the order of VTK's depth is the depth itself, that of reversed depth is the negated
+ * depth, which is exact. Depth becomes orders where it reaches host memory; the levels, which are
+ * maxima of orders, and all tests are the same for both.
  *
- *  - the *order* of a depth, which grows with the distance from the eye whatever is stored; the
- *    mathematics of the culler (vtkNBufferProjection) compares orders and nothing else;
- *  - the extremum that the levels of an N-buffer must hold;
- *  - the depths that are stored on the near plane and in the background;
- *  - the comparisons that are set with glDepthFunc, and which way glPolygonOffset moves.
+ * The order of a point p is a linear function of p divided by w, as its x and y on the screen are.
+ * So the points of a plane in the world have an order that is a linear function of x and y on the
+ * screen. Any other depth must have this property, too.
  *
- * VTK's order of a point p is a linear function of p divided by w, as its x and y on the screen
- * are. So the points of a plane in the world have an order that is a linear function of x and y on
- * the screen. Any other depth must have this property, too.
+ * The shadow pass supports VTK's depth alone. The constants below belong to that.
  */
 #ifndef vtkNBufferDepthConvention_h
 #define vtkNBufferDepthConvention_h
 
 #include "vtkNBufferMath.h"
 
+#include <algorithm>
+#include <cstddef>
+
 VTK_ABI_NAMESPACE_BEGIN
+
+/// What is stored as depth, as the state of OpenGL says (vtkNBufferDepthSource).
+enum class vtkNBufferStoredDepth
+{
+  /// VTK's depth as above.
+  Ordinary,
+  /// z / w, which is 1 on the near plane and 0 on the far plane, at infinity or not, and in the
+  /// background. The application sets glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE) and
+  /// glDepthFunc(GL_GEQUAL), clears depth to 0, and gives the camera a projection for it.
+  Reversed,
+  /// Anything else, which the culler does not test.
+  Other
+};
+
 namespace vtkNBufferDepthConvention
 {
-/// 1 if stored depths grow with the distance from the eye, otherwise -1.
-constexpr double Sign = 1.0;
-
-/// The order of a stored depth, which grows with the distance from the eye.
-constexpr double GetOrder(double stored)
+/// The extremum that finds the farthest of several stored depths.
+constexpr vtkNBufferExtremum GetFarthest(vtkNBufferStoredDepth stored)
 {
-  return Sign * stored;
+  return stored == vtkNBufferStoredDepth::Reversed ? vtkNBufferExtremum::Minimum
+                                                   : vtkNBufferExtremum::Maximum;
+}
+
+/// Replace stored depths by their orders.
+inline void ToOrders(vtkNBufferStoredDepth stored, float* depth, std::size_t count)
+{
+  if (stored == vtkNBufferStoredDepth::Reversed)
+  {
+    std::transform(depth, depth + count, depth, [](float value) { return -value; });
+  }
 }
 
 ///@{
-/// The order of a point whose clip coordinates are z and w is Scale * z / w + Offset.
+/// VTK's depth of a point whose clip coordinates are z and w is Scale * z / w + Offset. For a point
+/// whose depth is d, z / w is InverseScale * d + InverseOffset.
 constexpr double Scale = 0.5;
-constexpr double Offset = 0.5 * Sign;
-///@}
-
-///@{
-/// For a point whose stored depth is d, z / w is InverseScale * d + InverseOffset.
-constexpr double InverseScale = Sign / Scale;
+constexpr double Offset = 0.5;
+constexpr double InverseScale = 1.0 / Scale;
 constexpr double InverseOffset = -Offset / Scale;
 ///@}
 
-/// The stored depth where nothing has been drawn, to which the depth buffer is cleared. No drawn
-/// depth is farther.
-constexpr float Background = Sign > 0.0 ? 1.0f : 0.0f;
+/// VTK's depth where nothing has been drawn. No order of any depth is farther.
+constexpr float Background = 1.0f;
 
-/// The stored depth on the near plane. No drawn depth is nearer.
-constexpr float Nearest = 1.0f - Background;
-
-/// The extremum that finds the farthest of several stored depths.
-constexpr vtkNBufferExtremum Farthest =
-  Sign > 0.0 ? vtkNBufferExtremum::Maximum : vtkNBufferExtremum::Minimum;
-
-/// Whether this stored depth is that of something drawn, and not the background's.
+/// Whether this depth of VTK is that of something drawn, and not the background's.
 constexpr bool IsDrawn(float stored)
 {
-  return Sign > 0.0 ? stored < Background : stored > Background;
+  return stored < Background;
 }
 
 ///@{
-/// Arguments of glDepthFunc(): a fragment passes if it is nearer than what is stored, if it is
-/// nearer or has the same depth, or if it is farther. The numbers are those of GL_LESS, GL_LEQUAL
-/// and GL_GREATER.
-constexpr unsigned int PassIfNearer = Sign > 0.0 ? 0x0201 : 0x0204;
-constexpr unsigned int PassIfNearerOrEqual = Sign > 0.0 ? 0x0203 : 0x0206;
-constexpr unsigned int PassIfFarther = Sign > 0.0 ? 0x0204 : 0x0201;
+/// Arguments of glDepthFunc() for VTK's depth: a fragment passes if it is nearer than what is
+/// stored, or if it is farther. The numbers are those of GL_LESS and GL_GREATER.
+constexpr unsigned int PassIfNearer = 0x0201;
+constexpr unsigned int PassIfFarther = 0x0204;
 ///@}
 }
 VTK_ABI_NAMESPACE_END

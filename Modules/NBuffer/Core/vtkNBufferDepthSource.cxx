@@ -103,10 +103,7 @@ bool InspectFramebuffer(
   source.Samples = vtkNBufferGL::GetInteger(GL_SAMPLES);
   source.SampleDistance = source.Samples > 1 ? 0.5 : 0.0;
   glGetIntegerv(GL_VIEWPORT, source.Viewport);
-  GLdouble range[2] = { 0.0, 1.0 };
-  glGetDoublev(GL_DEPTH_RANGE, range);
-  source.DefaultDepthRange = range[0] == vtkNBufferDepthConvention::Nearest &&
-    range[1] == vtkNBufferDepthConvention::Background;
+  source.Stored = vtkNBufferDepthSource::GetStoredDepth();
 
   if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
@@ -197,6 +194,28 @@ void ConvertNormalised(float* values, std::size_t count, int depthBits, vtkNBuff
       });
   }
 }
+}
+
+vtkNBufferStoredDepth vtkNBufferDepthSource::GetStoredDepth()
+{
+  GLdouble range[2] = { 0.0, 1.0 };
+  glGetDoublev(GL_DEPTH_RANGE, range);
+  const int passes = vtkNBufferGL::GetInteger(GL_DEPTH_FUNC);
+  const bool hasClipControl = vtkNBufferGL::HasFeature(4, 5, "GL_ARB_clip_control");
+  const bool isZeroToOne =
+    hasClipControl && vtkNBufferGL::GetInteger(GL_CLIP_DEPTH_MODE) == GL_ZERO_TO_ONE;
+  const bool isUpsideDown =
+    hasClipControl && vtkNBufferGL::GetInteger(GL_CLIP_ORIGIN) != GL_LOWER_LEFT;
+  if (isUpsideDown || range[0] != 0.0 || range[1] != 1.0)
+  {
+    return vtkNBufferStoredDepth::Other;
+  }
+  if (isZeroToOne)
+  {
+    return passes == GL_GEQUAL ? vtkNBufferStoredDepth::Reversed : vtkNBufferStoredDepth::Other;
+  }
+  return passes == GL_LEQUAL || passes == GL_LESS ? vtkNBufferStoredDepth::Ordinary
+                                                  : vtkNBufferStoredDepth::Other;
 }
 
 bool vtkNBufferDepthSource::Inspect(vtkOpenGLRenderWindow* window, std::string& why)

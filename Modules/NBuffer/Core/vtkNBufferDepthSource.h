@@ -35,13 +35,17 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   int Samples = 0;                  ///< Samples of a pixel; 0 and 1 both mean one.
   /// How far a sample may be from the middle of its pixel in x and in y, in pixels.
   double SampleDistance = 0.0;
-  int DepthBits = 0;             ///< 0 if there is no depth buffer.
-  bool FloatDepth = false;       ///< Depth is floating-point, not unsigned normalised.
-  bool HasStencil = false;       ///< The depth attachment also holds the stencil.
-  bool DefaultDepthRange = true; ///< glDepthRange is [0, 1].
-  bool Texture = false;          ///< The depth attachment is a texture, not a renderbuffer.
-  unsigned int DepthName = 0;    ///< GL name of the depth attachment.
-  int DepthLevel = 0;            ///< Mip level of a texture attachment.
+  int DepthBits = 0;       ///< 0 if there is no depth buffer.
+  bool FloatDepth = false; ///< Depth is floating-point, not unsigned normalised.
+  /// What is stored, by the depth function, the depth range and the clip control.
+  vtkNBufferStoredDepth Stored = vtkNBufferStoredDepth::Ordinary;
+  bool HasStencil = false;    ///< The depth attachment also holds the stencil.
+  bool Texture = false;       ///< The depth attachment is a texture, not a renderbuffer.
+  unsigned int DepthName = 0; ///< GL name of the depth attachment.
+  int DepthLevel = 0;         ///< Mip level of a texture attachment.
+
+  /// What the state of the current context lets VTK store as depth.
+  static vtkNBufferStoredDepth GetStoredDepth();
 
   /**
    * Query the framebuffer that is bound for drawing and set all members. The window's context must
@@ -62,7 +66,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   int GetPrecision() const { return std::min(this->DepthBits, 24); }
 
   /**
-   * The step of depth near 1: 2^-16 for 16 bits, otherwise 2^-24, the step of floats.
+   * The step of depth near the far plane: 2^-16 for 16 bits, otherwise 2^-24, the step of floats
+   * near 1. Reversed floats have no step near 0 (vtkNBufferDepthFormat::FromQuantum()).
    *
    * A depth that is read as Maximum is at most two steps nearer than the one that the rasteriser
    * calculated, and one that is read as Minimum at most two steps farther, whether Read() or a
@@ -76,15 +81,20 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    *    and glReadPixels() and texelFetch() differ on some devices. One of the two floats around the
    *    exact value is off by less than 2^-24. Read() and Mesa's llvmpipe multiply integers of 24
    *    bits by a rounded factor instead, which returns up to 1.25 * 2^-24 too far, but never too
-   *    near. The excess over one step, 0.25 * 2^-24, matters only for the Minimum, which the culler
-   *    does not use.
+   *    near. The excess over one step, 0.25 * 2^-24, matters only for the Minimum. There the
+   *    relative slack of reversed depth covers it: reading moves a depth d by 2^-23 d at most.
    *  - Copying to a texture (vtkNBufferTexture) costs nothing, because the format stays the same.
    *  - Of normalised depth of 32 bits the last 8 bits are dropped, which moves the depth by less
    *    than a step, and only to the safe side (vtkNBufferBaseFS.glsl does the same). Where only
    *    samplers can read such depth, the shader moves the value to the safe side by the error of
    *    samplers.
    */
-  double GetStep() const { return std::ldexp(1.0, -this->GetPrecision()); }
+  double GetStep() const
+  {
+    return this->FloatDepth && this->Stored == vtkNBufferStoredDepth::Reversed
+      ? 0.0
+      : std::ldexp(1.0, -this->GetPrecision());
+  }
 
   /// Whether depth is normalised and has more bits than fit into a float.
   bool ExceedsFloats() const { return this->DepthBits > 24 && !this->FloatDepth; }
@@ -113,7 +123,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    */
   bool Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
     std::vector<float>& depth, std::string& why,
-    vtkNBufferExtremum rounding = vtkNBufferDepthConvention::Farthest) const;
+    vtkNBufferExtremum rounding = vtkNBufferExtremum::Maximum) const;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSurface.h"
 
-#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferForEachChild.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferProtectedMembers.h"
@@ -303,15 +302,23 @@ bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)
   return data ? HasLineCells(data) : HasLines(input, false);
 }
 
-bool vtkNBufferSurface::HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints)
+bool vtkNBufferSurface::HasOffset(vtkActor* actor)
 {
   // Without global resolution only visible edges switch the mapper's parameters on.
+  return vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF ||
+    actor->GetProperty()->GetEdgeVisibility();
+}
+
+bool vtkNBufferSurface::HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints)
+{
   const int resolution = vtkMapper::GetResolveCoincidentTopology();
-  const bool isOff = resolution == VTK_RESOLVE_OFF;
-  if (resolution != VTK_RESOLVE_POLYGON_OFFSET &&
-    !(isOff && actor->GetProperty()->GetEdgeVisibility()))
+  if (resolution != VTK_RESOLVE_OFF && resolution != VTK_RESOLVE_POLYGON_OFFSET)
   {
-    return !isOff;
+    return true;
+  }
+  if (!HasOffset(actor))
+  {
+    return false;
   }
   double factor = 0.0;
   double units = 0.0;
@@ -319,10 +326,7 @@ bool vtkNBufferSurface::HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints)
   // With parameters, VTK's fragment shader writes the depth at the middle of the pixel. With
   // multisampling the middle may lie outside of the triangle, by half a pixel's diagonal at most,
   // and so nearer to the eye by less than the slope. A factor of 1 makes up for that.
-  return linesOrPoints ||
-    ((factor != 0.0 || units != 0.0) &&
-      (vtkNBufferDepthConvention::GetOrder(factor) < 1.0 ||
-        vtkNBufferDepthConvention::GetOrder(units) < 0.0));
+  return linesOrPoints || ((factor != 0.0 || units != 0.0) && (factor < 1.0 || units < 0.0));
 }
 
 std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBufferCoordinates(

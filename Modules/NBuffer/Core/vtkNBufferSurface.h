@@ -93,9 +93,10 @@ public:
 
   /**
    * Whether the polygon offset of an actor with a plain mapper may give a sample a depth nearer to
-   * the eye than its surface. `linesOrPoints`: whether it draws such cells. This depends on
-   * vtkNBufferPropWatch::GetGlobalState().
+   * the eye than its surface. `linesOrPoints`: whether it draws such cells. HasOffset(): whether it
+   * has any offset. Both depend on vtkNBufferPropWatch::GetGlobalState().
    */
+  static bool HasOffset(vtkActor* actor);
   static bool HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints);
 
   /**

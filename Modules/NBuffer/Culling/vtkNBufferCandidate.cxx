@@ -80,7 +80,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     this->Verdict = vtkNBufferVerdict::NotAPlainActor;
     this->DepthWriter =
       !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
-    this->Blended = this->Unlit = false;
+    this->Blended = this->Unlit = this->Offset = false;
     this->Class = &typeid(*this->Prop);
     this->Uses = {};
     return globalStateChanged || this->Verdict != verdictBefore;
@@ -92,6 +92,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   this->Verdict = this->Classify(actor, box);
   this->DepthWriter = actor->GetMapper() && actor->HasOpaqueGeometry();
   this->Blended = BlendsAmongOpaque(actor);
+  this->Offset = vtkNBufferSurface::HasOffset(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();
   // Composite data never counts as unchanged (IsTracked()). The times of its blocks, which would
   // have to be read in every frame, are therefore not needed.

@@ -87,6 +87,9 @@ public:
     return this->DepthWriter && (!this->IsCandidate() || this->Box.Margin > 0.0);
   }
   bool MayLackNormals() const { return this->Unlit || this->MayDrawLines(); }
+
+  /// Whether its depth is offset, in either direction (vtkNBufferSurface::HasOffset()).
+  bool HasOffset() const { return this->Offset; }
   ///@}
 
   ///@{
@@ -155,6 +158,7 @@ private:
   const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
   vtkNBufferBox Box;
   vtkNBufferSharedState::Uses Uses;
+  bool Offset = false;
 };
 
 /// What a view knows of a prop in one frame. It is small and not a part of vtkNBufferCandidate,

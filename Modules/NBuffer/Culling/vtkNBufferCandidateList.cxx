@@ -151,6 +151,7 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
     }
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
+  this->DepthOffset = this->Translucent = false;
   this->WithParts.clear();
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
@@ -162,6 +163,9 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
     this->UntrackedDepth =
       this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
     this->Blending = this->Blending || candidate.IsBlended();
+    this->DepthOffset = this->DepthOffset || candidate.HasOffset();
+    this->Translucent =
+      this->Translucent || candidate.GetVerdict() == vtkNBufferVerdict::Translucent;
     this->Lines = this->Lines || candidate.MayDrawLines();
     this->LackOfNormals = this->LackOfNormals || candidate.MayLackNormals();
   }

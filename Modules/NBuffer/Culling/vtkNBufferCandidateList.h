@@ -76,6 +76,12 @@ public:
   /// (vtkNBufferSharedState). The arguments are those of vtkNBufferCompatibility::DrawingSettings.
   bool HasBlending(bool smoothLines, bool ambientOcclusion) const;
 
+  /// Whether the depth of any of the props is offset (vtkNBufferSurface::HasOffset()).
+  bool HasDepthOffset() const { return this->DepthOffset; }
+
+  /// Whether any of the props is translucent and may be tested.
+  bool HasTranslucent() const { return this->Translucent; }
+
   /// Set the counts of verdicts, of props drawn before the first test, and of the hierarchy's work.
   void CountVerdicts(vtkNBufferStatistics& statistics) const;
 
@@ -151,6 +157,8 @@ private:
   bool ListChanged = false;                          ///< Since the last RefreshStale().
   bool UntrackedDepth = false;                       ///< Some prop writes depth and is not tracked.
   bool Blending = false;                             ///< Some prop is blended.
+  bool DepthOffset = false;                          ///< The depth of some prop is offset.
+  bool Translucent = false;                          ///< Some prop is translucent.
   bool Lines = false;                                ///< Some prop may draw lines.
   bool LackOfNormals = false;                        ///< Some prop may lack normals.
   bool UsesChanged = false;                          ///< FindSharedState() has to be called.

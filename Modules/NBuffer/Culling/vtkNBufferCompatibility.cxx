@@ -3,6 +3,7 @@
 #include "vtkNBufferCompatibility.h"
 
 #include "vtkNBufferCamera.h"
+#include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferKnownClasses.h"
@@ -107,6 +108,19 @@ bool HasWireframes(vtkRenderer* renderer)
     }
   }
   return false;
+}
+
+/// Whether VTK draws any of the props in a way that is meant for its own depth alone. An offset
+/// that pushes a surface away from the eye pulls it towards the eye in reversed depth. Depth
+/// peeling and order-independent transparency compare translucent props with the depth in their
+/// shaders.
+bool NeedsOrdinaryDepth(vtkRenderer* renderer, const vtkNBufferCandidateList& props)
+{
+  const auto comparesDepth = [](vtkRenderPass* pass)
+  { return pass->IsA("vtkDepthPeelingPass") || pass->IsA("vtkOrderIndependentTranslucentPass"); };
+  return props.HasDepthOffset() ||
+    (props.HasTranslucent() &&
+      (!renderer->GetPass() || AnyPass(renderer->GetPass(), comparesDepth)));
 }
 
 /// Whether the frustum test of vtkNBufferView does everything that `culler` would do.
@@ -269,8 +283,9 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self)
                                                      : vtkNBufferDecision::None;
 }
 
-vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
-  vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source, std::string& why)
+vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateList& props,
+  const vtkNBufferViewKey& key, vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source,
+  std::string& why)
 {
   // Passes with framebuffers of their own draw from a copy of the camera.
   if (!vtkNBufferViewKey::Make(renderer).HasSameView(key))
@@ -293,10 +308,11 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& ke
   {
     return vtkNBufferDecision::NoDepth;
   }
-  const bool isOrdinary = source.Viewport[2] == key.Viewport[2] &&
+  const bool isKnown = source.Viewport[2] == key.Viewport[2] &&
     source.Viewport[3] == key.Viewport[3] && source.HoldsViewport() &&
-    vtkNBufferBackend::DrawsOrdinaryDepth(source);
-  return isOrdinary ? vtkNBufferDecision::None : vtkNBufferDecision::OtherView;
+    vtkNBufferBackend::DrawsKnownDepth(source) &&
+    (source.Stored == vtkNBufferStoredDepth::Ordinary || !NeedsOrdinaryDepth(renderer, props));
+  return isKnown ? vtkNBufferDecision::None : vtkNBufferDecision::OtherView;
 }
 }
 VTK_ABI_NAMESPACE_END

@@ -26,6 +26,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCuller;
 class vtkCullerCollection;
+class vtkNBufferCandidateList;
 struct vtkNBufferDepthSource;
 class vtkRenderPass;
 class vtkRenderer;
@@ -46,12 +47,14 @@ VTKNBUFFER_EXPORT void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vt
  * Get the reason why the depth drawn so far must not be used to test the props that are held back,
  * or None if it may be used. Call it when the proxy is drawn, because the framebuffer is not known
  * earlier. `key` is the view for which the culler has placed the props, and `wanted` the back-end
- * that the application has set. The function writes the properties of the framebuffer to `source`.
- * If the result is a failure, it writes the cause and a remedy to `why`, which otherwise stays
- * empty.
+ * that the application has set. Reversed depth may not be used if VTK draws any of `props` in a way
+ * that is meant for its own depth alone. The function writes the properties of the framebuffer to
+ * `source`. If the result is a failure, it writes the cause and a remedy to `why`, which otherwise
+ * stays empty.
  */
-vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
-  vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source, std::string& why);
+vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateList& props,
+  const vtkNBufferViewKey& key, vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source,
+  std::string& why);
 
 /// Whether the renderer processes the image (FXAA, SSAO) after it has drawn its props. This also
 /// changes what renderers of lower layers have drawn. VTK does it if the renderer's list of props

@@ -96,7 +96,9 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
   this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
   // Each rank's picture is composited by the depth that is in the window's framebuffer at the end.
+  // VTK's compositors do not know reversed depth.
   const bool isShared = this->Settings.Shared && source.Samples <= 1 &&
+    source.Stored == vtkNBufferStoredDepth::Ordinary &&
     source.Framebuffer == window->GetRenderFramebuffer()->GetFBOIndex();
   const bool isTrial = isShared && this->Settings.Shared->IsTrial();
   const vtkNBufferDecision failure = this->Backend.Build(

@@ -11,8 +11,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-static_assert(vtkNBufferDepthConvention::Sign > 0.0, "the minimum of two depths is the nearer one");
-
 // Where the parts of a report begin behind the texels.
 constexpr std::size_t ViewSize = std::tuple_size<decltype(vtkNBufferRankReport::View)>::value;
 constexpr std::size_t NegativeView = ViewSize;

@@ -219,14 +219,14 @@ bool vtkNBufferSharedDepth::ReadDepth(vtkRenderer* renderer, std::vector<float>&
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   std::vector<float> depth;
-  if (source.Samples > 1 ||
+  if (source.Samples > 1 || source.Stored != vtkNBufferStoredDepth::Ordinary ||
     !source.Read(window, origin[0], origin[1], size[0], size[1], depth, why))
   {
     return false;
   }
   vtkNBufferLevels levels;
   levels.BuildBase(
-    depth.data(), size[0], size[1], this->Current.TileSize, vtkNBufferDepthConvention::Farthest);
+    depth.data(), size[0], size[1], this->Current.TileSize, vtkNBufferExtremum::Maximum);
   const float* base = levels.GetLevelData(0);
   texels.assign(base, base + static_cast<std::size_t>(levels.GetWidth()) * levels.GetHeight());
   this->Report.Step = source.GetStep();

@@ -236,7 +236,7 @@ bool vtkNBufferView::PrepareRepeat(vtkRenderer* renderer)
   return vtkNBufferCompatibility::DrawsOpaquePropsTwice(renderer) &&
     this->PrepareTest(renderer, source) == vtkNBufferDecision::None &&
     std::max(source.Samples, 1) == std::max(this->Tested.Samples, 1) &&
-    source.GetPrecision() >= this->Tested.GetPrecision();
+    source.Stored == this->Tested.Stored && source.GetPrecision() >= this->Tested.GetPrecision();
 }
 
 int vtkNBufferView::Repeat(vtkRenderer* renderer)
@@ -253,7 +253,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
 {
   std::string why;
   const vtkNBufferDecision obstacle = vtkNBufferCompatibility::WhyNotHere(
-    renderer, this->Setup.Key, this->Settings.Backend, source, why);
+    renderer, this->Props, this->Setup.Key, this->Settings.Backend, source, why);
   if (obstacle != vtkNBufferDecision::None)
   {
     if (!why.empty())
@@ -262,12 +262,9 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
     }
     return obstacle;
   }
-  const double quantum = this->Settings.GetStep(source);
-  const int subpixelBits = vtkNBufferGL::GetSubpixelBits();
-  if (quantum != this->Setup.DepthQuantum || subpixelBits != this->Setup.SubpixelBits)
+  if (this->Setup.SetDepth(
+        this->Settings.GetStep(source), source.Stored, vtkNBufferGL::GetSubpixelBits()))
   {
-    this->Setup.DepthQuantum = quantum;
-    this->Setup.SubpixelBits = subpixelBits;
     this->Setup.Apply(this->Projection);
     this->Division.SetView(this->Setup);
     this->Partition.Project(this->Projection);

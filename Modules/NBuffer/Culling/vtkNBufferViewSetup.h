@@ -11,6 +11,8 @@
 #include "vtkNBufferProjection.h"
 
 #include <algorithm>
+#include <functional>
+#include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -18,15 +20,33 @@ struct vtkNBufferViewSetup
 {
   vtkNBufferViewKey Key;
   double DepthQuantum = 0x1p-24; ///< The step of the depth buffer used last, in window depth.
-  int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context used last.
+  vtkNBufferStoredDepth Stored = vtkNBufferStoredDepth::Ordinary; ///< What it stored.
+  int SubpixelBits = 4; ///< vtkNBufferGL::GetSubpixelBits() of the context used last.
+
+  /// Set what is known of the depth buffer. Returns whether anything has changed.
+  bool SetDepth(double quantum, vtkNBufferStoredDepth stored, int subpixelBits)
+  {
+    const auto get = [this]()
+    { return std::make_tuple(this->DepthQuantum, this->Stored, this->SubpixelBits); };
+    const auto before = get();
+    this->DepthQuantum = quantum;
+    this->Stored = stored;
+    this->SubpixelBits = subpixelBits;
+    return get() != before;
+  }
 
   /// Set `projection` to one from the coordinates that `toWorld` takes to the world.
   void Apply(vtkNBufferProjection& projection, const glm::dmat4& toWorld = glm::dmat4(1.0)) const
   {
-    const auto toClip =
+    auto toClip =
       vtkNBufferGLM::ToRows(vtkNBufferGLM::ToMatrix(this->Key.WorldToClip.data()) * toWorld);
+    if (this->Stored == vtkNBufferStoredDepth::Reversed)
+    {
+      std::transform(toClip.begin() + 8, toClip.begin() + 12, toClip.begin() + 8, std::negate<>());
+    }
     const auto& viewport = this->Key.Viewport;
-    projection.Set(toClip.data(), viewport[2], viewport[3], this->DepthQuantum,
+    projection.Set(toClip.data(), viewport[2], viewport[3],
+      vtkNBufferDepthFormat::FromQuantum(this->DepthQuantum, this->Stored),
       std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]), this->SubpixelBits);
   }
 };

@@ -9,6 +9,7 @@ namespace
 {
 // The factors of the derivation in the header, in units of UnitRoundoff where they count roundings.
 constexpr double DepthErrors = 4.0;
+constexpr double ReversedDepthErrors = 6.0;
 constexpr double PlaneErrors = 8.0;
 constexpr double PositionErrors = 16.0;
 constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
@@ -17,9 +18,18 @@ constexpr double SlopeErrors = 32.0;
 constexpr double LowestRelativeHeight = 64.0;
 }
 
-vtkNBufferDepthFormat vtkNBufferDepthFormat::FromQuantum(double quantum)
+vtkNBufferDepthFormat vtkNBufferDepthFormat::FromQuantum(
+  double quantum, vtkNBufferStoredDepth stored)
 {
   vtkNBufferDepthFormat format;
+  if (stored == vtkNBufferStoredDepth::Reversed)
+  {
+    format.Scale = 1.0;
+    format.Offset = 0.0;
+    format.Slack = 2.0 * quantum;
+    format.RelativeSlack = ReversedDepthErrors * vtkNBufferBoxError::UnitRoundoff;
+    return format;
+  }
   format.Slack = 2.0 * quantum + DepthErrors * vtkNBufferBoxError::UnitRoundoff;
   return format;
 }

@@ -58,6 +58,9 @@
  *
  *     slack = 2 quantum + 4 u + (2^-8.5 + 8 u n) R / t,   t = 1/16 pixel
  *
+ * Reversed depth, z / w, is rounded in proportion to its value: 6 u (largest depth of the box) take
+ * the place of 4 u. For floats, whose quantum is 0, they include the rounding of storage.
+ *
  * Triangles lower than 1/16 pixel are not covered. Few of them own a sample, but a rasteriser such
  * as llvmpipe may give this sample any depth. vtkNBufferSliverTest tests them one by one.
  * docs/precision.md compares this slack with the largest errors found for each format and
@@ -75,33 +78,30 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/**
- * The order of depth (vtkNBufferDepthConvention.h) as a function of clip coordinates, and the part
- * of its error that depends on how depth is stored. FromQuantum() gives that of VTK's depth.
- */
+/// The order of depth (vtkNBufferDepthConvention.h) as a function of clip coordinates, and the part
+/// of its error that depends on how depth is stored.
 struct vtkNBufferDepthFormat
 {
   ///@{
-  /// The order of a point is Scale * z / w + Offset, where z / w is -1 on the near plane.
+  /// The order of a point is Scale * z / w + Offset, where z / w is -1 on the near plane: for
+  /// reversed depth z is negated.
   double Scale = vtkNBufferDepthConvention::Scale;
   double Offset = vtkNBufferDepthConvention::Offset;
   ///@}
-  /// The order on the far plane. Nothing is drawn beyond.
-  double Farthest = vtkNBufferDepthConvention::GetOrder(vtkNBufferDepthConvention::Background);
+  /// No box that is farther is drawn. The far plane of reversed depth is at 0, but 1 lets no box be
+  /// Outside that ordinary depth would show, as long as it is not known which depth will be stored.
+  double Farthest = vtkNBufferDepthConvention::Background;
   /// The slack above without its last term, which depends on R.
   double Slack = 0.0;
-  /// More slack, as a share of the largest |z / w| of a box. VTK's depth needs none, because Slack
-  /// already allows for the rounding of values near 1, its largest.
+  /// More slack, as a share of the largest |z / w| of a box; 0 for VTK's depth.
   double RelativeSlack = 0.0;
 
-  /// The depth that VTK stores in a buffer whose values are multiples of `quantum`: 2^-16, 2^-24,
-  /// ...; for floats 2^-24, their step just below 1.
-  VTKNBUFFER_EXPORT static vtkNBufferDepthFormat FromQuantum(double quantum);
+  /// The depth in a buffer whose values are multiples of `quantum` (vtkNBufferDepthSource).
+  VTKNBUFFER_EXPORT static vtkNBufferDepthFormat FromQuantum(
+    double quantum, vtkNBufferStoredDepth stored = vtkNBufferStoredDepth::Ordinary);
 };
 
-/**
- * The numbers of the derivation above for one depth format and one window.
- */
+/// The numbers of the derivation above for one depth format and one window.
 class VTKNBUFFER_EXPORT vtkNBufferBoxError
 {
 public:

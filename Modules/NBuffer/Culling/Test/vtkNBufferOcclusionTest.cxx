@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferOcclusionTest.h"
 
-#include "vtkNBufferDepthConvention.h"
-
 VTK_ABI_NAMESPACE_BEGIN
 vtkNBufferOcclusionTest::vtkNBufferOcclusionTest(
   const vtkNBufferLevels& levels, double sampleDistance)
@@ -37,7 +35,7 @@ bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferScreenBox& screen)
   }
   ++this->Queries;
   this->Lookups += cover.Count;
-  return screen.Nearest > vtkNBufferDepthConvention::GetOrder(this->Levels.Query(cover));
+  return screen.Nearest > this->Levels.Query(cover);
 }
 
 bool vtkNBufferOcclusionTest::FindVisiblePixels(

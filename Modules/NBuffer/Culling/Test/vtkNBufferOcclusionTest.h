@@ -22,8 +22,8 @@ class VTKNBUFFER_EXPORT vtkNBufferOcclusionTest
 {
 public:
   /**
-   * `levels` are kept by reference and must outlive the test. They hold the farthest stored depths
-   * of a viewport (vtkNBufferDepthConvention::Farthest). A box that needs a level that was not
+   * `levels` are kept by reference and must outlive the test. They hold the largest orders of depth
+   * of a viewport (vtkNBufferDepthConvention.h). A box that needs a level that was not
    * built (GetLevelsNeeded) counts as visible. `sampleDistance` is how far from the middle of its
    * pixel a sample may be in x and in y: 0 with one sample, at most 0.5 pixels with more, 0.5 for
    * smoothed polygons.

@@ -186,7 +186,7 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
     const int factor = this->Levels.GetFactor();
     const float farthest = this->Levels.GetTexel(this->SquareLevel, x / factor, y / factor);
     ++this->Lookups;
-    if (this->GetNearest(x + half, y + half, half) > vtkNBufferDepthConvention::GetOrder(farthest))
+    if (this->GetNearest(x + half, y + half, half) > farthest)
     {
       return true;
     }
@@ -197,7 +197,7 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
     for (int column = std::max(x, pixels.X0); column < std::min(x + Side, pixels.X1); ++column)
     {
       ++this->Lookups;
-      const double depth = vtkNBufferDepthConvention::GetOrder(this->Depth[row * width + column]);
+      const double depth = this->Depth[row * width + column];
       const double x = column + 0.5;
       const double y = row + 0.5;
       if (!(this->Nearest > depth) && !this->IsOutsideOutline(x, y, this->SampleDistance) &&

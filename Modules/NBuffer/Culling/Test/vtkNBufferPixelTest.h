@@ -63,10 +63,10 @@ class VTKNBUFFER_EXPORT vtkNBufferPixelTest
 {
 public:
   /**
-   * All arguments are kept by reference and must outlive the test. `levels` holds the farthest
-   * stored depths of the projection's viewport. `depth` is the depth image that they were made
-   * from, row 0 at the bottom. `sampleDistance` is how far from the middle of its pixel a sample
-   * may be in x and in y: 0 with one sample, at most 0.5 pixels with more, 0.5 for smoothed
+   * All arguments are kept by reference and must outlive the test. `levels` holds the largest
+   * orders of depth of the projection's viewport. `depth` is the image of orders that they were
+   * made from, row 0 at the bottom. `sampleDistance` is how far from the middle of its pixel a
+   * sample may be in x and in y: 0 with one sample, at most 0.5 pixels with more, 0.5 for smoothed
    * polygons.
    */
   vtkNBufferPixelTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,

@@ -302,13 +302,11 @@ bool vtkNBufferSliverTest::HasVisibleSample(const Sliver& sliver, const Errors& 
       {
         continue;
       }
-      double farthest = vtkNBufferDepthConvention::GetOrder(
-        this->Levels.GetTexel(0, pixel.x / factor, pixel.y / factor));
+      double farthest = this->Levels.GetTexel(0, pixel.x / factor, pixel.y / factor);
       if (this->Depth)
       {
         const std::ptrdiff_t place = std::ptrdiff_t{ pixel.y } * pixels.x + pixel.x;
-        farthest =
-          std::min<double>(farthest, vtkNBufferDepthConvention::GetOrder(this->Depth[place]));
+        farthest = std::min<double>(farthest, this->Depth[place]);
       }
       if (!(sliver.GetNearest(middle, this->SampleDistance, errors) > farthest))
       {

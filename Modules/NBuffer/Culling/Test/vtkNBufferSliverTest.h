@@ -77,9 +77,9 @@ class VTKNBUFFER_EXPORT vtkNBufferSliverTest
 public:
   /**
    * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
-   * farthest stored depths of the projection's viewport. `depth` is the depth image that they were
-   * made from, or nullptr if it is not at hand, and `sampleDistance` is how far a sample may be
-   * from the middle of its pixel in x and in y: see vtkNBufferPixelTest.
+   * largest orders of depth of the projection's viewport. `depth` is the image of orders that they
+   * were made from, or nullptr if it is not at hand, and `sampleDistance` is how far a sample may
+   * be from the middle of its pixel in x and in y: see vtkNBufferPixelTest.
    */
   vtkNBufferSliverTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
     const float* depth, double sampleDistance);

@@ -24,8 +24,8 @@ constexpr const char* Failure =
   "message.";
 
 // The polygon offset, away from the eye (see the header).
-constexpr float OffsetFactor = static_cast<float>(vtkNBufferDepthConvention::Sign) / 128;
-constexpr float OffsetUnits = static_cast<float>(vtkNBufferDepthConvention::Sign) * 2;
+constexpr float OffsetFactor = 1.0f / 128;
+constexpr float OffsetUnits = 2.0f;
 /// What the fragment shader adds to the window depth instead of the units.
 constexpr float OffsetByShader = 2 * OffsetUnits * 0x1p-24f;
 

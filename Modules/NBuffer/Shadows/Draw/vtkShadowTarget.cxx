@@ -60,6 +60,12 @@ void vtkShadowSampleReader::Release()
 bool vtkShadowTarget::Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
   const SamplePlaces& samples, std::string& why)
 {
+  if (vtkNBufferDepthSource::GetStoredDepth() != vtkNBufferStoredDepth::Ordinary)
+  {
+    why = "Depth is reversed or has another range than VTK's. Let the depth function, the depth "
+          "range and the clip control be VTK's where shadows are drawn.";
+    return false;
+  }
   if (samples != this->RefusedSamples)
   {
     this->RefusedSamples.clear();
