@@ -136,6 +136,13 @@ MUTANTS = {
          "texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2], viewport[3],",
          "texture->Build(job.Window, job.Source, 0, 0, viewport[2], viewport[3],")],
 
+    "reversed depth read as VTK's": [
+        ("vtkNBufferDepthSource.cxx", "? vtkNBufferStoredDepth::Reversed",
+         "? vtkNBufferStoredDepth::Ordinary")],
+    "the nearest of several reversed depths hides": [
+        ("vtkNBufferDepthConvention.h", "? vtkNBufferExtremum::Minimum",
+         "? vtkNBufferExtremum::Maximum")],
+
     # The near plane.
     "crossing the near plane or the eye counts as inside": [
         (PROJECTION, NEAR_PLANE_TEST, "if (std::isnan(w))")],
@@ -270,7 +277,8 @@ SHADOW_MUTANTS = {
 # most of what the missing one let through, or the frames that show it are rare.
 RARE = {
     "offsets that visible edges switch on are ignored": [
-        (SURFACE, "!(isOff && actor->GetProperty()->GetEdgeVisibility()))", "isOff)")],
+        (SURFACE, "!= VTK_RESOLVE_OFF ||\n    actor->GetProperty()->GetEdgeVisibility();",
+         "!= VTK_RESOLVE_OFF;")],
     "a mapper keeps the list of the blocks that were drawn": [
         ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "equal depths inside of a mesh not found by the device": [
@@ -317,8 +325,8 @@ EQUIVALENT = {
     # Equal depth has to count as visible. But Nearest is the depth less a slack that is never 0, so
     # that where the two numbers are equal the prop lies at least the slack behind the depth.
     "equal numbers count as hidden (> turned to >=)": [
-        ("vtkNBufferOcclusionTest.cxx", "return screen.Nearest > vtkNBufferDepthConvention",
-         "return screen.Nearest >= vtkNBufferDepthConvention")],
+        ("vtkNBufferOcclusionTest.cxx", "return screen.Nearest > this->Levels",
+         "return screen.Nearest >= this->Levels")],
     # What is before the near plane and in front of the eye has a negative depth, which nothing hides.
     "crossing the near plane counts as inside, crossing the eye does not": [
         (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],

@@ -8,6 +8,7 @@
 #include "Messages.h"
 #include "ScenarioJson.h"
 #include "Shrinker.h"
+#include "Undefined.h"
 
 #include "vtkLogger.h"
 
@@ -49,6 +50,7 @@ struct Options
   int MaximumFailures = 3;
   bool Shrink = true;
   double Shadows = 0.3;
+  double Reversed = 0.1;
   std::string JsonFile;
   std::string ReplayFile;
   std::string ScenarioFile;
@@ -78,7 +80,17 @@ ScenarioKind ChooseKind(std::uint64_t scenarioSeed, double shareOfShadows)
 /// The scenario of a seed, as it is run.
 Scenario Generate(std::uint64_t seed, const Options& options)
 {
-  Scenario scenario = MakeScenario(seed, ChooseKind(seed, options.Shadows));
+  const ScenarioKind kind = ChooseKind(seed, options.Shadows);
+  Scenario scenario = MakeScenario(seed, kind);
+  constexpr std::uint64_t parts = 1000;
+  if (kind == ScenarioKind::Culling &&
+    static_cast<double>(seed / parts % parts) < options.Reversed * parts)
+  {
+    TestScene::Renderer& renderer = scenario.Renderers.front();
+    renderer.Pass = PassKind::Reversed;
+    renderer.InfiniteFar = seed % 2 == 0;
+    RemoveUndefined(scenario);
+  }
   if (options.Backend != vtkNBufferCuller::Auto)
   {
     scenario.Culler.Backend = options.Backend;
@@ -348,6 +360,10 @@ int main(int argc, char* argv[])
   app.add_option("--max-failures", options.MaximumFailures, "Stop after so many")
     ->check(CLI::PositiveNumber);
   app.add_option("--shadows", options.Shadows, "Share of scenarios with shadow volumes")
+    ->check(CLI::Range(0.0, 1.0));
+  app
+    .add_option(
+      "--reversed", options.Reversed, "Share of the other scenarios that draw reversed depth")
     ->check(CLI::Range(0.0, 1.0));
   const std::map<std::string, int> backends = { { "auto", vtkNBufferCuller::Auto },
     { "opengl", vtkNBufferCuller::OpenGL }, { "cpu", vtkNBufferCuller::CPU } };
