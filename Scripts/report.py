@@ -15,8 +15,8 @@
     <!-- end -->
 
 and everything outside of them is written by hand and stays. A table whose figures are not in the
-files stays, too. Of several files, a later one replaces the shadows and the settings of an earlier
-one. Examples/Bench/SCHEMA.md describes the figures.
+files stays, too. Of several files, a later one replaces the shadows, the fill and the settings of
+an earlier one. Examples/Bench/SCHEMA.md describes the figures.
 
 It needs pandas and matplotlib, from PyPI,
 
@@ -42,6 +42,7 @@ except ImportError as error:
 
 from report_depth import DEPTH_TABLES, depths, format_entries, wrong_percent
 from report_device import DEVICE_TABLES
+from report_shadows import SHADOW_TABLES
 from report_tables import (
     OTHER_TABLES, NotMeasured, mark_pareto, number, setting_scenes, shadow_points, shadowed_percent,
     structures)
@@ -51,8 +52,8 @@ from matplotlib import pyplot  # noqa: E402 (the backend has to be chosen first)
 
 DOCUMENTS = ("accuracy.md", "accuracy-depth.md", "accuracy-device.md", "accuracy-levels.md",
              "accuracy-particles.md", "accuracy-scenes.md", "accuracy-settings.md",
-             "accuracy-shadow-maps.md")
-TABLES = {**OTHER_TABLES, **DEPTH_TABLES, **DEVICE_TABLES}
+             "accuracy-shadow-maps.md", "accuracy-shadows.md")
+TABLES = {**OTHER_TABLES, **DEPTH_TABLES, **DEVICE_TABLES, **SHADOW_TABLES}
 TABLE = re.compile(r"(<!-- table: ([^\n]*?) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 # Colours of Okabe and Ito, and shapes for readers who do not tell colours apart.
@@ -284,7 +285,7 @@ def load(files):
     reports = [json.loads(pathlib.Path(file).read_text()) for file in files]
     merged = reports[0]
     for report in reports[1:]:
-        for part in ("shadows", "device", "early", "maps"):
+        for part in ("shadows", "device", "packed", "rebuild", "early", "maps", "fill", "figure5"):
             if report.get(part):
                 merged[part] = report[part]
         for part, value in (report.get("settings") or {}).items():

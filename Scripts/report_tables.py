@@ -6,7 +6,6 @@ Each table is a function of the report and of the argument behind its name in th
 """
 
 import math
-import re
 
 import pandas as pd
 
@@ -378,68 +377,6 @@ def shadows(report, name):
                  "differ and are ambiguous"], rows))
 
 
-ERRORS = ("outline", "acne", "peter_panning", "leak")
-
-
-def wrong_percent(mode):
-    return 100.0 * mode["oracle"]["wrong"] / max(mode["oracle"]["samples"], 1)
-
-
-def map_modes(scene, key):
-    """The modes of shadow maps that vary the resolution, the exponent or the bias."""
-    def varies(name):
-        return ("resolution" if "EachFrame" in name else "bias" if "Offset" in name
-                else "exponent")
-    return [(name, mode) for name, mode in scene["modes"].items()
-            if name.startswith("vtk") and varies(name) == key]
-
-
-def maps(report, key):
-    rows = []
-    for scene in report.get("maps") or []:
-        shown = map_modes(scene, key)
-        for name, mode in sorted(shown, key=lambda entry: [
-                int(number) for number in re.findall(r"\d+", entry[0])]):
-            oracle = mode["oracle"]
-            rows.append([scene["scene"], name.replace(":EachFrame=1", ""), wrong_percent(mode),
-                         *(oracle["errors"][error] for error in ERRORS)])
-    return table(["scene", "mode", "wrong, %", "outline", "acne", "peter-panning", "leaks"], rows)
-
-
-def map_times(report, _):
-    """The largest map that takes no longer than the volumes, and what is wrong with it."""
-    rows = []
-    for scene in report.get("maps") or []:
-        ours = scene["modes"]["auto"]
-        timed = {}
-        for name, mode in map_modes(scene, "resolution"):
-            timed.setdefault(int(re.search(r"@(\d+)", name)[1]), []).append(mode)
-        fast = [size for size, modes in timed.items()
-                if min(mode["median_ms"] for mode in modes) <= ours["median_ms"]]
-        size = max(fast) if fast else min(timed)
-        wrong = [f"{number(mode['oracle']['wrong'])} ({number(wrong_percent(mode))} %)"
-                 for mode in timed[size]]
-        rows.append([scene["scene"], scene["modes"]["none"]["median_ms"], span(times_of(ours)),
-                     ours["oracle"]["wrong"], span(times_of(scene["modes"]["vtk@1024"])),
-                     f"{size} x {size}" + ("" if fast else ", slower"),
-                     span(times_of(timed[size][0])), *(wrong + [""])[:2]])
-    return table(["scene", "no shadows ms", "volumes (auto) ms", "wrong", "a map that is kept ms",
-                  "largest map as fast", "ms", "wrong, VTK's exponent", "wrong, exponent 40"], rows)
-
-
-def fill(report, _):
-    if not report.get("shadows"):
-        raise NotMeasured
-    rows = [["the paper, city", "", "", 2.5, "", ""], ["the paper, simple scenes", "", "", 20, "", ""]]
-    for scene in report["shadows"]:
-        modes = scene["modes"]
-        rows.append([scene["scene"], modes["unclamped"]["fragments"], *(
-            modes.get(name + "@256", {}).get("fragments_percent")
-            for name in ("exact", "clamp", "slabs", "paper"))])
-    return table(["scene", "fragments of whole volumes, a frame", "litmap 256: exact, %",
-                  "clamped to one slab, %", "to several, %", "the paper's litmap, %"], rows)
-
-
 def setting(report, name):
     rows, values, of_shadows = [], {}, False
     for part, scene, points in setting_scenes(report):
@@ -475,5 +412,4 @@ def few(report, _):
 
 OTHER_TABLES = {function.__name__: function for function in (
     machine, settings_machine, frames, peers, fragments, early, pareto, best, chain, hierarchy,
-    latent, table2, particles, figure4, left_out, known, shadows, maps, map_times, fill, setting,
-    few)}
+    latent, table2, particles, figure4, left_out, known, shadows, setting, few)}

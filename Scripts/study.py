@@ -23,22 +23,22 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PARTS = ("structures", "early", "scenes", "settings", "shadow-settings", "shadows", "maps")
+PARTS = ("structures", "early", "scenes", "settings", "shadow-settings", "shadows", "maps", "fill")
 FEWER = ("depth", "device")  # Of a part above; only on request.
 IMAGES_DIFFER = 2
 
 Effort = collections.namedtuple(
     "Effort", "flags settings_frames settings_paths few plant shadow_scenes shadow_settings_scenes "
-    "shadow_size shadow_frames shadow_settings_frames litmaps maps")
+    "shadow_size shadow_frames shadow_settings_frames litmaps maps fill_frames")
 SHADOW_SCENES = ["city-sun", "city-spot", "birds", "simple"]
 EFFORTS = {
     "full": Effort([], 15, ["street", "rooftop", "drone", "cuts"], [8, 16, 24, 32, 48, 64, 128],
                    True, SHADOW_SCENES, SHADOW_SCENES, "640x480", 8, 8,
-                   [32, 64, 128, 256, 512, 1024], [256, 512, 1024, 2048, 4096]),
+                   [32, 64, 128, 256, 512, 1024], [256, 512, 1024, 2048, 4096], 2),
     "quick": Effort(["--quick"], 5, ["street"], [32], False, ["birds"], ["birds"], "320x240", 2, 1,
-                    [64, 256], [256, 1024]),
+                    [64, 256], [256, 1024], 1),
     "tiny": Effort(["--tiny"], 2, ["street"], [8], False, ["city-sun", "birds"], ["birds"],
-                   "320x240", 1, 1, [64], [256])}
+                   "320x240", 1, 1, [64], [256], 1)}
 
 # Scenes beside the city: name, whether it is a file, paths, whether a quick run has it (its first
 # path), and the options that bound what is measured.
@@ -50,6 +50,17 @@ OTHER_SCENES = [
     ("kicad", True, ["outside", "between"], False, (3, 3, 8, 2)),
     ("kicad/boards/kit-dev-coldfire-xilinx_5213.kicad_pcb", True, ["over"], False, (4, 3, 16, 3)),
     ("motorBike.obj.gz", True, ["orbit"], False, (4, 3, 24, 3))]
+
+# Scenes, paths and further options of nbuffer-bench fill. The lamp of city-spot stands near the
+# poses that follow each other; of the others the poses are far apart.
+FILL_SCENES = [
+    ("birds", "orbit", "--own", "--spread"), ("birds", "orbit", "--spread", "--spot"),
+    ("towers", "eye-height", "--own", "--spread"),
+    ("towers", "eye-height", "--spread", "--spot"), ("towers", "above", "--spread"),
+    ("towers", "eye-height", "--own", "--spread", "--ground-caster"),
+    ("simple", "orbit", "--own", "--spread"), ("city-sun", "street", "--own", "--spread"),
+    ("city-sun", "rooftop", "--spread"), ("city-sun", "drone", "--own", "--spread"),
+    ("city-sun", "street", "--spread", "--ground-caster"), ("city-spot", "street", "--own")]
 
 # The values that are tried of each setting, one setting at a time.
 CULLER_VALUES = {
@@ -228,6 +239,19 @@ class Study:
             self.shadow(scene, self.effort.shadow_frames, modes, "--oracle", "--oracle-once", "--size",
                         f"{side}x{side}", *(["--lamp", MAP_LAMP] if scene == "city-spot" else []))
             for scene in self.effort.shadow_settings_scenes]}
+
+    def fill(self):
+        """What the paper's figures 5 and 7 and its section 4.4 show."""
+        pictures = {}
+        for scene, path in (("birds", "orbit"), ("towers", "eye-height"), ("city-sun", "street")):
+            if self.options.effort != "full" and scene != "birds":
+                continue
+            pictures = self.bench("volumes", "--scene", scene, "--path", path, "--size", "320x240",
+                                  "--out", self.options.out)
+        scenes = FILL_SCENES[:1] if self.options.effort != "full" else FILL_SCENES
+        return {**pictures, "fill": [self.bench(
+            "fill", "--scene", scene, "--path", path, "--size", self.effort.shadow_size, "--frames",
+            self.effort.fill_frames, *flags) for scene, path, *flags in scenes]}
 
     def run(self):
         begin = time.monotonic()

@@ -121,7 +121,6 @@ public:
 private:
   void SetView(vtkRenderer* renderer);
   void FindClipped();
-  Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
   /**
    * Returns whether the neighbours a and b are on different surfaces, or on surfaces that meet only
    * at a sharp edge. If the planes of a and b meet between these points, neither point is farther
@@ -130,6 +129,8 @@ private:
    * sheets are seen.
    */
   bool IsStep(const Receiver& a, const Receiver& b) const;
+  /// Returns the segment from the receiver to the light.
+  Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
   bool IsAmbiguous(int x, int y, const OracleLight& light, const Classification& centre) const;
   /// Returns the actors that the segment from the receiver to the light crosses.
   std::set<int> GetCrossed(const Receiver& receiver, const OracleLight& light) const;

@@ -85,11 +85,13 @@ using NBufferExamples::CheckWritable;
 /// and returns the exit code.
 using Run = std::function<int()>;
 void AddWalkCommand(CLI::App& app, const std::string& program, Run& run);
+void AddFillCommand(CLI::App& app, const std::string& program, Run& run);
 void AddFirstCommand(CLI::App& app, const std::string& program, Run& run);
 void AddPicturesCommand(CLI::App& app, const std::string& program, Run& run);
 void AddRanksCommand(CLI::App& app, const std::string& program, Run& run);
 void AddShadowCommand(CLI::App& app, const std::string& program, Run& run);
 void AddStudyCommand(CLI::App& app, const std::string& program, Run& run);
+void AddVolumesCommand(CLI::App& app, const std::string& program, Run& run);
 void AddDefaultsCommand(CLI::App& app, Run& run);
 ///@}
 

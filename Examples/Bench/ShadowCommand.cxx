@@ -119,8 +119,9 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
     "Time shadows in several modes, interleaved in one run, and count what the volumes cover");
   auto options = std::make_shared<ShadowCommandOptions>();
   options->View.SceneNames = { "city-sun" };
-  options->View.SceneHelp = "city-sun, city-spot, birds (synthetic), swarm (10000 glyphs), simple, "
-                            "or a file that walk knows";
+  options->View.SceneHelp =
+    "city-sun, city-spot, birds, towers (both synthetic), swarm (10000 glyphs), "
+    "simple, or a file that walk knows";
   options->View.Window.Size = { 640, 480 };
   options->View.AddTo(*command, program);
   command

@@ -75,6 +75,35 @@ Scene MakeBirds(std::uint64_t seed)
   return scene;
 }
 
+/// Puts 40 towers and a flock of 300 birds onto and over the hills of the scene "terrain".
+Scene MakeTowers(Scene scene, std::uint64_t seed)
+{
+  scene.Name = "towers";
+  Random random(seed);
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(10);
+  sphere->SetPhiResolution(10);
+  const auto box = MakePartMapper(cube);
+  const auto bird = MakePartMapper(sphere);
+  vtkPolyData* ground = vtkPolyData::SafeDownCast(scene.Actors[0]->GetMapper()->GetInput());
+  for (int i = 0; i < 40; ++i)
+  {
+    double foot[3];
+    ground->GetPoint(random.Index(ground->GetNumberOfPoints()), foot);
+    const double height = random.Between(0.15, 0.45);
+    AddPart(scene, box, { foot[0], foot[1], foot[2] + 0.5 * height - 0.05 },
+      { 0.08, 0.08, height + 0.1 });
+  }
+  for (int i = 0; i < 300; ++i)
+  {
+    const double x = random.Between(-3.5, 3.5);
+    const double y = random.Between(-3.5, 3.5);
+    AddPart(scene, bird, { x, y, random.Between(1.0, 1.6) }, { 0.05, 0.09, 0.02 });
+  }
+  return scene;
+}
+
 Scene MakeSwarm(std::uint64_t seed, int count)
 {
   Scene scene;
@@ -168,7 +197,8 @@ vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path, cons
 /// Returns whether a scene was made here, and not loaded.
 bool IsMadeHere(const Scene& scene)
 {
-  return scene.Name == "birds" || scene.Name == "simple" || scene.Name == "swarm";
+  return scene.Name == "birds" || scene.Name == "simple" || scene.Name == "swarm" ||
+    scene.Name == "towers";
 }
 }
 
@@ -257,6 +287,11 @@ NBufferExamples::Scene LoadShadowScene(ViewOptions view)
   if (name == "city-sun" || name == "city-spot")
   {
     view.SceneNames = { "city" };
+  }
+  if (name == "towers")
+  {
+    view.SceneNames = { "terrain" };
+    return MakeTowers(view.LoadScene(), view.Seed);
   }
   return view.LoadScene();
 }

@@ -8,6 +8,8 @@
  *     city-spot  the city under one spotlight, of 20 degrees and 120 m above the street unless a
  *                SpotLamp says otherwise
  *     birds      400 spheres, synthetic and seeded, floating above ground and 12 towers; the sun
+ *     towers     hills of half a million triangles with 40 towers, and 300 birds over them,
+ *                synthetic and seeded; the sun. The paths are those of the scene "terrain"
  *     swarm      10,000 small cubes (ViewOptions::Instances says otherwise), instances of one glyph
  *                mapper in any direction, floating above ground; seeded; the sun
  *     simple     20 large parts that touch and cross each other above a floor, seeded; the sun

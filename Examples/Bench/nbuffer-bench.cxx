@@ -17,11 +17,13 @@ int main(int argc, char* argv[])
   app.require_subcommand(1);
   NBufferBench::Run run;
   NBufferBench::AddWalkCommand(app, argv[0], run);
+  NBufferBench::AddFillCommand(app, argv[0], run);
   NBufferBench::AddFirstCommand(app, argv[0], run);
   NBufferBench::AddPicturesCommand(app, argv[0], run);
   NBufferBench::AddRanksCommand(app, argv[0], run);
   NBufferBench::AddShadowCommand(app, argv[0], run);
   NBufferBench::AddStudyCommand(app, argv[0], run);
+  NBufferBench::AddVolumesCommand(app, argv[0], run);
   NBufferBench::AddDefaultsCommand(app, run);
   CLI11_PARSE(app, argc, argv);
   try

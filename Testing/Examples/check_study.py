@@ -14,7 +14,8 @@ import sys
 
 BENCH, SOURCE, OUT = (pathlib.Path(argument) for argument in sys.argv[1:])
 DOCUMENTS = ("accuracy", "accuracy-depth", "accuracy-device", "accuracy-levels",
-             "accuracy-particles", "accuracy-scenes", "accuracy-settings", "accuracy-shadow-maps")
+             "accuracy-particles", "accuracy-scenes", "accuracy-settings", "accuracy-shadow-maps",
+             "accuracy-shadows")
 CHARTS = ("depth-", "pareto-", "shadows-", "shadow-errors-", "settings-city-street", "settings-birds")
 
 
@@ -73,6 +74,38 @@ def check_maps(scene):
               f"{name}: {oracle['errors']} of {oracle['wrong']} wrong samples")
     check(modes["auto"]["wrong"] == 0 and modes["vtk@1024"]["wrong"] > 0,
           f"maps: {modes['auto']['wrong']} wrong by volumes, {modes['vtk@1024']['wrong']} by maps")
+
+
+def check_fill(scene):
+    """Every way counts what it must, and what is proven to change no shadow changes none."""
+    check(scene["differing_ways"] == 0 and scene["lost"] == 0,
+          f"fill: {scene['differing_ways']} counts that the pass does not have, {scene['lost']} "
+          "samples in wrong light")
+    for way in scene["ways"]:
+        check(way["percent_of_whole"] <= way["percent_of_reach"] and
+              (way["name"] == "reach") <= (way["percent_of_reach"] == 100), f"fill: {way}")
+    ways = {way["name"]: way["fragments"] for way in scene["ways"]}
+    # Each way leaves out what the one before it draws, except that of two litmaps none is always
+    # the tighter one.
+    order = ["reach", "scattered, not clamped", "scattered, slabs", "scattered, slabs, box", "slabs"]
+    for more, less in zip(["whole", *order], order):
+        check(ways[less] <= ways[more], f"fill: {less} {ways[less]}, {more} {ways[more]}")
+    check(0 < ways["exact, nearest caster only"] < ways["exact"] <= ways["scattered, not clamped"] and
+          0 < ways["paper"] < ways["whole"], f"fill: {ways}")
+
+
+def check_figure5(figure):
+    """The selected caster is between 3.9 and 4.5, the table at 1.5, the highest receiver below at
+    0.5; slabs are a little wider."""
+    pieces = {name: entry["pieces"] for name, entry in figure.items()}
+
+    def is_near(name, *expected):
+        return len(pieces[name]) == len(expected) and all(
+            abs(a - b) < 0.1 for piece, range in zip(pieces[name], expected)
+            for a, b in zip(piece, range))
+    check(is_near("a", (0, 4.5)) and is_near("b", (0, 0.5)) and is_near("c", (3.9, 4.5)) and
+          is_near("d") and is_near("e", (0, 4.5)) and is_near("e, nearest", (1.5, 4.5)) and
+          is_near("e, slabs", (3.9, 4.5), (1.4, 1.5), (0, 0.5)), f"figure 5: {pieces}")
 
 
 def check_settings(name, scene):
@@ -141,6 +174,8 @@ def check_figures(study):
         check_shadows("shadows", scene)
     for scene in study["maps"]:
         check_maps(scene)
+    check_fill(study["fill"][0])
+    check_figure5(study["figure5"])
     for part in ("culler", "still", "shadows"):
         check_settings(part, settings[part][0])
     entry = settings["few"][0]["entries"][0]

@@ -29,6 +29,7 @@ except ImportError as error:
 import report  # noqa: E402
 import report_depth as depth  # noqa: E402
 import report_device as device  # noqa: E402
+import report_shadows as shadows  # noqa: E402
 import report_tables as tables  # noqa: E402
 
 STUDY = HERE / "small-study.json"
@@ -119,6 +120,33 @@ class Figures(unittest.TestCase):
         self.assertFalse((points["pareto"] & (points["wrong"] > 0)).any())
 
 
+    def test_fill_has_both_denominators(self):
+        scene = self.study["fill"][0]
+        for way in scene["ways"]:
+            way["percent_of_reach"] = 2 * way["percent_of_whole"]
+        scene["spot"] = True
+        paper, ours = rows(shadows.fill(self.study, ""))[0], rows(shadows.fill(self.study, ""))[-1]
+        self.assertEqual(paper[2:6], ["65.1", "", "1.67", "2.50"])
+        self.assertEqual(ours[0], "birds, orbit, a spot")
+        exact = next(way for way in scene["ways"] if way["name"] == "exact")
+        self.assertEqual(ours[-2:], [tables.number(exact["percent_of_whole"]),
+                                     tables.number(2 * exact["percent_of_whole"])])
+
+    def test_fill_without_rays_has_no_row_of_own_receivers(self):
+        scene = self.study["fill"][0]
+        self.assertEqual(len(rows(shadows.own(self.study, ""))), 1)
+        scene["ways"] = [way for way in scene["ways"] if "lost" not in way]
+        with self.assertRaises(tables.NotMeasured):
+            shadows.own(self.study, "")
+
+    def test_a_later_file_replaces_the_fill(self):
+        with tempfile.TemporaryDirectory() as folder:
+            later = pathlib.Path(folder) / "later.json"
+            later.write_text(json.dumps({"fill": ["new"]}))
+            merged = report.load([STUDY, later])
+            self.assertEqual((merged["fill"], "figure5" in merged), (["new"], True))
+
+
 class Documents(unittest.TestCase):
     def setUp(self):
         self.study = json.loads(STUDY.read_text())
@@ -154,16 +182,16 @@ class Documents(unittest.TestCase):
 
     def test_shadow_maps(self):
         self.assertEqual(
-            [row[1] for row in rows(tables.maps(self.study, "exponent"))],
+            [row[1] for row in rows(shadows.maps(self.study, "exponent"))],
             ["vtk@256", "vtk@256:Exponent=80", "vtk@1024", "vtk@1024:Exponent=80"])
         for key in ("resolution", "bias"):
-            for row in rows(tables.maps(self.study, key)):
+            for row in rows(shadows.maps(self.study, key)):
                 self.assertTrue(row[1].startswith("vtk@") and "EachFrame" not in row[1])
         # Of the two with the same map the faster one counts; 4096 takes longer than the volumes.
-        row, = rows(tables.map_times(self.study, ""))
+        row, = rows(shadows.map_times(self.study, ""))
         self.assertEqual((row[0], row[5]), ("birds", "1024 x 1024"))
         self.study["maps"][0]["modes"]["auto"]["median_ms"] = 1
-        row, = rows(tables.map_times(self.study, ""))
+        row, = rows(shadows.map_times(self.study, ""))
         self.assertEqual(row[5], "256 x 256, slower")
 
     def test_setting_of_shadows(self):

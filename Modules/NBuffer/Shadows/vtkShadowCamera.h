@@ -14,7 +14,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 
-struct vtkShadowCamera
+struct VTKNBUFFER_EXPORT vtkShadowCamera
 {
   /// Reads the camera for the eye that the renderer draws. The caller sets Plan.Viewport and
   /// Plan.Boxes.

@@ -36,7 +36,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 
-class vtkShadowCaster
+class VTKNBUFFER_EXPORT vtkShadowCaster
 {
 public:
   /// The largest count of a stencil of 8 bits.

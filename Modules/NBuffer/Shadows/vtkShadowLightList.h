@@ -22,7 +22,7 @@ class vtkLight;
 class vtkRenderer;
 
 /// A light that casts shadows in a frame.
-struct vtkShadowLightSource
+struct VTKNBUFFER_EXPORT vtkShadowLightSource
 {
   vtkLight* Source = nullptr;
   int Number = 0; ///< The index among the lights that are on, as in the names of VTK's uniforms.
