@@ -124,9 +124,9 @@ class Study:
         return {name: report[name] for name in ("depth", "formats")}
 
     def device(self):
-        """Of the structures what runs on the graphics device."""
+        """Of the structures how levels are built: in part, and on the graphics device."""
         report = self.bench("study", *self.effort.flags, "--device-only", "--out", self.options.out)
-        return {name: report[name] for name in ("device", "packed")}
+        return {name: report[name] for name in ("device", "packed", "rebuild")}
 
     def early(self):
         """Depth before colours, alone and with the culler; fragments in a fourth of the frames."""

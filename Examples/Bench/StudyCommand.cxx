@@ -189,6 +189,10 @@ public:
     }
     if (!this->Options.PathsOnly && !this->Options.DepthOnly)
     {
+      for (const std::string& path : paths)
+      {
+        this->RunRebuild(scene, session, path);
+      }
       this->Report["device"] =
         MeasureDevice(session, this->MakePath(scene, paths.front(), 1).front(),
           this->Spent.DeviceRepetitions, this->Spent.MostDevicePixels);
@@ -214,7 +218,6 @@ private:
     for (const std::string& path : paths)
     {
       this->RunHierarchy(scene, session, path);
-      this->RunBuilds(scene, session, path);
     }
     this->RunPaper(scene, session, paths.front());
   }
@@ -319,7 +322,7 @@ private:
   }
 
   /// Builds levels again in part.
-  void RunBuilds(const Scene& scene, Session& session, const std::string& name)
+  void RunRebuild(const Scene& scene, Session& session, const std::string& name)
   {
     const CameraPath path = NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);
     for (int step : { 1, 10 })
@@ -412,7 +415,7 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
     "Only structures and whole frames, without queries of the hardware");
   command->add_flag("--depth-only", options->DepthOnly, "Only formats of depth, in a city");
   command->add_flag("--device-only", options->DeviceOnly,
-    "Only what runs on the graphics device: levels, chains and single levels by size");
+    "Only how levels are built: again in part, and on the graphics device by size");
   const auto add = [command](const char* name, int& value, const char* help)
   { command->add_option(name, value, help)->check(CLI::Range(1, 1000)); };
   add("--repeat", options->Repetitions, "Timed repetitions of each frame; default: 7");
