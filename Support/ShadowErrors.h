@@ -5,11 +5,11 @@
  * @brief What is wrong with a sample whose shadow differs from the ray's, in the words that are
  * used of shadow maps.
  *
- *     outline        within 2 pixels there is a sample that the rays classify as this one was
- * drawn: the border of a shadow is displaced acne           drawn in shadow, and lit by the rays,
- * as all around it peter-panning  drawn lit, and in shadow by the rays, of a caster that is less
- * than 10 pixels' widths away: the shadow has come off its caster leak           drawn lit, and in
- * shadow by the rays, of casters that are farther away
+ *  - Outline: within 2 pixels rays find what was drawn here; the border of a shadow is displaced.
+ *  - Acne: anything else that was drawn in shadow and is lit by the rays.
+ *  - Peter-panning: it was drawn lit, and rays find a caster less than 10 pixels' widths away; the
+ *    shadow has come off its caster.
+ *  - Leak: it was drawn lit, and rays find casters that are farther away.
  */
 #ifndef ShadowErrors_h
 #define ShadowErrors_h

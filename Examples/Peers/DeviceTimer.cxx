@@ -19,10 +19,14 @@ void DeviceTimer::Start()
     : nullptr;
   if (this->Timer)
   {
-    // Rasterisers that collect draws before they begin would begin to count with the last of them,
-    // and those that dispatch at once would not count that at all.
+    // Software renderers collect draws before they begin, and would begin to count with the last of
+    // them. They dispatch at once, and would begin to count while that runs or after it. So they
+    // begin to count before any command is given.
     this->Timer->Start();
-    glFlush();
+    if (vtkNBufferGL::GetSoftwareRenderer())
+    {
+      glFinish();
+    }
   }
 }
 

@@ -6,10 +6,9 @@
  *
  *     family    a DepthStructure
  *     position  the module's levels alone, and the place that keeps a box visible
- *     module    the test of vtkNBufferCuller with the same settings; it builds only the levels that
- *               it needs, with or without the second test of the pixels
- *     pixels    the test of each pixel in the outline of the box, as a hardware occlusion query
- * does
+ *     module    the test of vtkNBufferCuller with the same settings, which builds only the levels
+ *               that it needs, with or without the second test of the pixels
+ *     pixels    each pixel in the outline of the box, as by a hardware occlusion query
  */
 #ifndef Contender_h
 #define Contender_h
