@@ -160,7 +160,8 @@ vtkNBufferRectangle vtkNBufferLevels::FindPixels(const vtkNBufferCover& cover) c
   for (;;)
   {
     int i = 0;
-    while (this->GetTexel(texels.Level, texels.X[i], texels.Y[i]) != extremum)
+    while (
+      i + 1 < texels.Count && this->GetTexel(texels.Level, texels.X[i], texels.Y[i]) != extremum)
     {
       ++i;
     }

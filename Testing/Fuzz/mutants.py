@@ -126,8 +126,8 @@ MUTANTS = {
         ("vtkNBufferDepthSource.cxx", "source.SampleDistance = GetSampleDistance();",
          "source.SampleDistance = 0.0;")],
     "one sample of a multisampled pixel": [
-        ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 1; i < NBUFFER_SAMPLES; ++i)",
-         "for (int i = 1; i < 1; ++i)")],
+        ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 0; i < NBUFFER_SAMPLES; ++i)",
+         "for (int i = 0; i < 1; ++i)")],
     "viewport's origin ignored on the host": [
         ("vtkNBufferBackend.cxx", "job.Source.Read(job.Window, viewport[0], viewport[1],",
          "job.Source.Read(job.Window, 0, 0,")],
