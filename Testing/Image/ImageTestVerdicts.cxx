@@ -47,6 +47,15 @@ Place GetPlace(int part)
   return kinds[part % Kinds];
 }
 
+void LookAtWall(Stage& stage, double x)
+{
+  vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+  camera->SetPosition(x, -30.0, 0.0);
+  camera->SetFocalPoint(x, 0.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetClippingRange(1.0, 200.0);
+}
+
 vtkSmartPointer<vtkPolyData> MakeParts(int corners)
 {
   vtkNew<vtkPoints> points;
@@ -154,15 +163,7 @@ TEST_P(CullerVerdicts, EachPartHasItsOwn)
     for (int i = 0; i < 6; ++i)
     {
       const double x = 0.01 * ++frame;
-      comparison.Frame(
-        [x](Stage& stage)
-        {
-          vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-          camera->SetPosition(x, -30.0, 0.0);
-          camera->SetFocalPoint(x, 0.0, 0.0);
-          camera->SetViewUp(0.0, 0.0, 1.0);
-          camera->SetClippingRange(1.0, 200.0);
-        });
+      comparison.Frame([x](Stage& stage) { LookAtWall(stage, x); });
     }
   };
   move();
@@ -231,15 +232,7 @@ TEST(CullerVerdictsOnce, AVisiblePropHasPixelsThatKeepIt)
     options);
   for (const double x : { 0.0, 0.01 })
   {
-    comparison.Frame(
-      [x](Stage& stage)
-      {
-        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-        camera->SetPosition(x, -30.0, 0.0);
-        camera->SetFocalPoint(x, 0.0, 0.0);
-        camera->SetViewUp(0.0, 0.0, 1.0);
-        camera->SetClippingRange(1.0, 200.0);
-      });
+    comparison.Frame([x](Stage& stage) { LookAtWall(stage, x); });
   }
   vtkNBufferCuller* culler = comparison.GetCuller();
   Stage& stage = comparison.Culled;
