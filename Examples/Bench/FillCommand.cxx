@@ -440,9 +440,8 @@ void AddFillCommand(CLI::App& app, const std::string& program, Run& run)
   command->add_flag("--spread", options->Spread,
     "Render only every sixtieth pose of a path that is as much longer");
   command->add_flag("--spot", options->Spot,
-    "Replace the sun by a spot in the same direction, as far away as the scene is large, that "
-    "lights "
-    "all of the scene");
+    "Replace the sun by a spot in the same direction, as far away as the scene is large, which "
+    "lights all of the scene");
   command->add_flag("--ground-caster", options->GroundCasts, "As of shadow");
   command->add_option("--lamp", options->Lamp, "As of shadow")->delimiter(',')->expected(4);
   command->add_option("--json", options->JSON, "File for the figures");

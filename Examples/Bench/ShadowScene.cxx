@@ -44,17 +44,21 @@ void AddGround(Scene& scene, vtkPolyDataMapper* box, double side)
     ->SetColor(0.62, 0.66, 0.58);
 }
 
+vtkSmartPointer<vtkPolyDataMapper> MakeBirdMapper()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(10);
+  sphere->SetPhiResolution(10);
+  return MakePartMapper(sphere);
+}
+
 Scene MakeBirds(std::uint64_t seed)
 {
   Scene scene;
   scene.Name = "birds";
   Random random(seed);
-  vtkNew<vtkCubeSource> cube;
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(10);
-  sphere->SetPhiResolution(10);
-  const auto box = MakePartMapper(cube);
-  const auto bird = MakePartMapper(sphere);
+  const auto box = MakePartMapper(vtkNew<vtkCubeSource>());
+  const auto bird = MakeBirdMapper();
   AddGround(scene, box, 120.0);
   for (int i = 0; i < 12; ++i)
   {
@@ -80,12 +84,8 @@ Scene MakeTowers(Scene scene, std::uint64_t seed)
 {
   scene.Name = "towers";
   Random random(seed);
-  vtkNew<vtkCubeSource> cube;
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(10);
-  sphere->SetPhiResolution(10);
-  const auto box = MakePartMapper(cube);
-  const auto bird = MakePartMapper(sphere);
+  const auto box = MakePartMapper(vtkNew<vtkCubeSource>());
+  const auto bird = MakeBirdMapper();
   vtkPolyData* ground = vtkPolyData::SafeDownCast(scene.Actors[0]->GetMapper()->GetInput());
   for (int i = 0; i < 40; ++i)
   {

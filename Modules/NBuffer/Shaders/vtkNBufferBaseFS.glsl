@@ -4,8 +4,9 @@
 //VTK::Output::Dec
 
 // Makes level 0: a texel is the extremum of a square of NBUFFER_FACTOR x NBUFFER_FACTOR depth
-// pixels and of all their samples. With NBUFFER_BOTH, channel 1 has the other extremum. If the depth image ends inside a square, the last row or column
-// of the image is read again, which changes no extremum. For factor 4 and width 6:
+// pixels and of all their samples. With NBUFFER_BOTH, channel 1 has the other extremum. If the
+// depth image ends inside a square, the last row or column of the image is read again, which
+// changes no extremum. For factor 4 and width 6:
 //
 //     +---+---+---+---+---+---+ . . . +
 //     | 0 | 1 | 2 | 3 | 4 | 5 | 5   5 :
