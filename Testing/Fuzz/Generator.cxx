@@ -57,7 +57,6 @@ void MakeCuller(Writer& writer)
   culler.RoundSize = writer.Any({ 1, 2, 4, 8, 12, 64 });
   // Not drawn, so that the rest of a scenario stays what it was for its seed.
   culler.HierarchySize = writer.Scene.Seed % 3 == 0 ? culler.HierarchySize : 0;
-  culler.TestSlivers = writer.Scene.Seed % 5 == 0;
   culler.TestTriangles = writer.Scene.Seed % 3 != 0;
   culler.ObserveAfter = writer.Scene.Seed % 4 == 0 ? 0 : 1;
   culler.TestPixels = writer.Chance(0.6);
@@ -212,7 +211,8 @@ void MakeOdd(Writer& writer, Prop& prop)
     case 18:
       prop.OffsetUnits = writer.Any({ -4.0, 4.0, -2000.0 });
       prop.OffsetFactor = writer.Any({ 0.0, 0.01, 1.0 }) * prop.OffsetUnits;
-      prop.Edges = prop.Id % 2 == 0; // They switch these offsets on, whatever the global setting is.
+      prop.Edges =
+        prop.Id % 2 == 0; // They switch these offsets on, whatever the global setting is.
       break;
     default:
       if (writer.Chance(0.3))

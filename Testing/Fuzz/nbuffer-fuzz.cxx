@@ -35,13 +35,6 @@ enum ExitCode
 
 constexpr int ShrinkBudget = 1500;
 
-/// One scenario in some 50,000 frames fails because of slivers. More than this many would be
-/// something else that happens to be right with TestSlivers.
-long long GetMostSlivers(long long frames)
-{
-  return 2 + frames / 10000;
-}
-
 struct Options
 {
   long long Frames = 0;
@@ -102,7 +95,6 @@ enum class Blame
 {
   Culler,   ///< Fails with the culler only, from the start.
   History,  ///< Fails only after the scenarios before it.
-  Slivers,  ///< Pixels that slivers of hidden props own (docs/limits.md): right with TestSlivers.
   Elsewhere ///< VTK does not repeat itself, or its own culler drops what is seen.
 };
 
@@ -125,13 +117,7 @@ Blame FindBlame(const Scenario& scenario)
       return Blame::Elsewhere;
     }
   }
-  if (!Checker().Run(scenario, true).HasFailed())
-  {
-    return Blame::History;
-  }
-  Scenario tested = scenario;
-  tested.Culler.TestSlivers = true;
-  return Checker().Run(tested, true).HasFailed() ? Blame::Culler : Blame::Slivers;
+  return Checker().Run(scenario, true).HasFailed() ? Blame::Culler : Blame::History;
 }
 
 Json::Value MakeSmall(const Scenario& scenario, const Options& options)
@@ -228,13 +214,6 @@ private:
       PrintOutcome(outcome);
       return;
     }
-    if (blame == Blame::Slivers && ++this->Slivers <= GetMostSlivers(this->Counts.Frames))
-    {
-      std::cout << "scenario seed " << scenario.Seed << " (" << scenario.Family
-                << ") is right with TestSlivers" << std::endl;
-      PrintOutcome(outcome);
-      return;
-    }
     ++this->Failures;
     this->FirstFailure = this->FirstFailure < 0 ? this->Counts.Frames : this->FirstFailure;
     std::cout << "FAILED: seed " << this->Settings.Seed << ", scenario seed " << scenario.Seed
@@ -245,8 +224,7 @@ private:
     const std::string file =
       this->Settings.Output + "/fuzz-" + std::to_string(scenario.Seed) + ".json";
     WriteJson(file,
-      blame == Blame::Culler || blame == Blame::Slivers ? MakeSmall(scenario, this->Settings)
-                                                        : TestScene::ToJson(scenario));
+      blame == Blame::Culler ? MakeSmall(scenario, this->Settings) : TestScene::ToJson(scenario));
     std::cout << "  replay with --replay " << file << std::endl;
   }
 
@@ -260,7 +238,6 @@ private:
     json["failures"] = this->Failures;
     json["frames_until_failure"] = Json::Int64(this->FirstFailure);
     json["differs_without_culler"] = this->Excused;
-    json["right_with_sliver_test"] = this->Slivers;
     json["gl_errors"] = Json::Int64(t.GLErrors);
     json["undefined_without_culler"] = Json::Int64(t.Undefined);
     json["props"] = Json::Int64(t.Props);
@@ -300,7 +277,6 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
   int Failures = 0;
   int Excused = 0;
-  int Slivers = 0;
   long long FirstFailure = -1;
 };
 
@@ -319,10 +295,6 @@ int Replay(const Options& options, const Scenario& scenario)
   if (blame == Blame::Elsewhere)
   {
     std::cout << "  (it differs without the culler, too)" << std::endl;
-  }
-  if (blame == Blame::Slivers)
-  {
-    std::cout << "  (it is right with TestSlivers)" << std::endl;
   }
   if (!options.ScenarioFile.empty())
   {

@@ -12,6 +12,8 @@
 #include "GpuTestNBufferPrecisionVS.h"
 #include "WindowFixture.h"
 #include "vtkNBufferCandidate.h"
+#include "vtkNBufferFaceTest.h"
+#include "vtkNBufferFaces.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferSurface.h"
@@ -345,9 +347,15 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   vtkNBufferMesh mesh;
   mesh.Points.assign(triangle.begin(), triangle.end());
   mesh.Triangles = { { 0, 1, 2 } };
-  vtkNBufferSliverTest test(projection, levels, depth.data(), 0.0);
-  const double toWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-  return test.MayBeSeen(mesh, toWorld, box, screen);
+  const vtkNBufferMeshes::Placed placed = { std::make_shared<vtkNBufferMesh>(mesh),
+    { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+  std::vector<vtkNBufferFaces::OfProp> ofProps(1);
+  vtkNBufferFaces faces;
+  faces.Set(0, { placed }, box, ofProps);
+  return vtkNBufferFaceTest(projection, 0.0)
+           .MayBeInFront(faces, faces.GetPieces().front(), screen.Nearest - z) &&
+    vtkNBufferSliverTest(projection, levels, depth.data(), 0.0)
+      .MayBeSeen(mesh, 0, 1, placed.ToWorld.data(), box, screen);
 }
 }
 

@@ -289,7 +289,7 @@ namespace
 struct Setting : NamedCase
 {
   void (*Set)(ComparisonOptions&);
-  bool TestSlivers = false;
+  bool TestSlivers = true;
 };
 
 class CullerSettings : public testing::TestWithParam<Setting>
@@ -316,8 +316,8 @@ const Setting Settings[] = {
       o.Tuning.RoundSize = 4;
     } },
   { "NoPixels", [](ComparisonOptions& o) { o.Tuning.TestPixels = false; } },
-  { "NoSlivers", [](ComparisonOptions&) {} },
-  { "Slivers", [](ComparisonOptions&) {}, true },
+  { "NoSlivers", [](ComparisonOptions&) {}, false },
+  { "Slivers", [](ComparisonOptions&) {} },
   { "NoReuse", [](ComparisonOptions& o) { o.Tuning.ReuseWhenStill = false; } },
   { "BackOff", [](ComparisonOptions& o) { o.Tuning.BackOff = true; } },
 };

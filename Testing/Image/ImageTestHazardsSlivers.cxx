@@ -95,7 +95,6 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
   const Pipe& pipe = this->GetParam();
   Comparison comparison(
     [&pipe](Stage& stage) { Build(stage, pipe); }, Scenes::MakeExactOptions(Width, Height, 4));
-  comparison.GetCuller()->SetTestSlivers(true);
   Scenes::Settle(comparison);
 
   const int x = pipe.Pixel[0];
@@ -107,6 +106,10 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
   {
     return;
   }
+  if (!vtkNBufferGL::GetSoftwareRenderer())
+  {
+    GTEST_SKIP() << "slivers are tested with software renderers";
+  }
   // The box lies behind the wall, and so does every point of the pipe.
   comparison.GetCuller()->SetTestSlivers(false);
   comparison.Culled.Window->Render();
@@ -116,7 +119,7 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
   comparison.Frame("slivers looked at");
   // Whether this rasteriser draws the stray pixel or not: one may.
   EXPECT_EQ(comparison.GetVerdict(1), Verdict::Visible);
-  EXPECT_TRUE(stray < wall - 1e-4 || !vtkNBufferGL::GetSoftwareRenderer()) << "llvmpipe draws it";
+  EXPECT_LT(stray, wall - 1e-4) << "llvmpipe draws it";
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerSlivers, testing::ValuesIn(Pipes), GetCaseName);

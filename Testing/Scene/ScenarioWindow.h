@@ -97,7 +97,7 @@ struct Culler
   int ObserveAfter = 60;
   bool TestTriangles = true;
   bool TestPixels = true;
-  bool TestSlivers = false;
+  bool TestSlivers = true;
   bool DivideProps = true;
   int MinimumNumberOfPrimitives = 20000;
   int UnitSize = 64;

@@ -41,7 +41,7 @@ protected:
     mesh.Triangles = { { 0, 1, 2 } };
     vtkNBufferSliverTest test(this->Projection, this->Levels, depth, sampleReach);
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    return test.MayBeSeen(mesh, identity, box.Box, box.Screen);
+    return test.MayBeSeen(mesh, 0, 1, identity, box.Box, box.Screen);
   }
 
   vtkNBufferProjection Projection = MapWorldToPixels(Width, Height);
@@ -105,8 +105,8 @@ TEST_F(Slivers, BesideAllSamples)
   {
     EXPECT_FALSE(this->MayBeSeen(MakeLow(y, 1e-7))) << y;
   }
-  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.502, 1e-7)));
-  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.498, 1e-7)));
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5019, 1e-7)));
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.4981, 1e-7)));
   // Samples may be anywhere in a pixel.
   EXPECT_TRUE(this->MayBeSeen(MakeLow(21.0, 1e-7), 0.5));
   // Beyond its ends, and of another orientation.
@@ -116,19 +116,40 @@ TEST_F(Slivers, BesideAllSamples)
   EXPECT_FALSE(this->MayBeSeen({ { { 30.6, 10, 0.8 }, { 30.6, 40, 0.9 }, { 30.6, 20, 0.8 } } }));
 }
 
+// A device that snaps to a grid of 2^-8 pixels snaps these corners to the same y, and draws
+// nothing; or to two different ones, and the middles of pixels lie between them.
+TEST_F(Slivers, SnappedToTheGrid)
+{
+  this->SetWall(1.0f);
+  this->Projection = MapWorldToPixels(Width, Height, 8);
+  const double step = 1.0 / 256;
+  for (const double y : { 20.5, 20.5 + 0.4 * step, 20.5 - 0.4 * step, 20.5 - 0.6 * step })
+  {
+    EXPECT_FALSE(this->MayBeSeen(MakeLow(y, 1e-7))) << y;
+  }
+  const double below = 20.5 - 0.6 * step;
+  const double on = 20.5 - 0.4 * step;
+  EXPECT_TRUE(this->MayBeSeen({ { { 10.2, on, 0.8 }, { 60.7, on, 0.9 }, { 35, below, 0.85 } } }));
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5 + 0.5 * step, 1e-7))) << "to one y or to another";
+  EXPECT_FALSE(this->MayBeSeen(MakeLow(20.5 + 1.5 * step, 1e-7))) << "above the middles";
+  // The ends of the longest side are snapped to different y, and the middles of pixels lie beyond.
+  EXPECT_FALSE(this->MayBeSeen({ { { 10.2, 20.5 + 0.6 * step, 0.8 },
+    { 60.7, 20.5 + 1.6 * step, 0.9 }, { 35.0, 21.0, 0.8 } } }));
+}
+
 // A sliver that has a plane is as near as the slope of this plane allows.
 TEST_F(Slivers, AsNearAsTheSlopeAllows)
 {
   // Exact depths begin at 0.8. The third corner is 0.05 behind the side below: a slope of 5 per
   // pixel, 0.01 nearer at the middles of pixels that are 0.002 pixels below that side.
   const auto steep = [](double y) { return MakeLow(y, 0.01, 0.8, 0.8, 0.85); };
-  const auto gentle = MakeLow(20.502, 0.01);
+  const auto gentle = MakeLow(20.5019, 0.01);
   this->SetWall(0.78f);
-  EXPECT_FALSE(this->MayBeSeen(steep(20.502)));
+  EXPECT_FALSE(this->MayBeSeen(steep(20.5019)));
   this->SetWall(0.791f);
-  EXPECT_TRUE(this->MayBeSeen(steep(20.502)));
+  EXPECT_TRUE(this->MayBeSeen(steep(20.5019)));
   // Middles in the triangle are farther than its nearest point.
-  EXPECT_FALSE(this->MayBeSeen(steep(20.498)));
+  EXPECT_FALSE(this->MayBeSeen(steep(20.4981)));
   // As low, but of a slope for which the slack of its box is enough.
   this->SetWall(1.0f);
   EXPECT_FALSE(this->MayBeSeen(gentle));

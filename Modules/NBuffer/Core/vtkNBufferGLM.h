@@ -55,11 +55,17 @@ inline std::array<double, 16> ToRows(const glm::dmat4& matrix)
   return rows;
 }
 
+///@{
 /// The absolute value of each component. (Compilers turn glm::abs() into branches.)
 inline glm::dvec3 Abs(const glm::dvec3& x)
 {
   return { std::abs(x.x), std::abs(x.y), std::abs(x.z) };
 }
+inline glm::dvec4 Abs(const glm::dvec4& x)
+{
+  return { std::abs(x.x), std::abs(x.y), std::abs(x.z), std::abs(x.w) };
+}
+///@}
 
 /// Whether no component is infinite or NaN.
 template <glm::length_t n>

@@ -30,8 +30,7 @@ void vtkNBufferMeshes::BeginFrame(std::vector<OfProp>& kept)
   }
   for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
   {
-    const bool isOld = this->Frame - entry->second.Frame > FramesToKeep;
-    entry = isOld ? this->Entries.erase(entry) : std::next(entry);
+    entry = entry->second.Mesh.expired() ? this->Entries.erase(entry) : std::next(entry);
   }
 }
 
@@ -59,7 +58,7 @@ const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferMeshes::Get(
   {
     for (const vtkNBufferSurface::Part& part : parts)
     {
-      kept.Meshes.push_back({ this->Update(part.Mesh).Mesh, part.ToWorld });
+      kept.Meshes.push_back({ this->Update(part.Mesh), part.ToWorld });
     }
   }
   // Blocks of composite data may change without a newer time of the data.
@@ -79,23 +78,24 @@ bool vtkNBufferMeshes::FindSmall(vtkActor* actor, bool mayCopy, OfProp& kept)
     if (!kept.IsTooLarge)
     {
       --this->CopiesLeft;
-      kept.Small = this->Update(data).Mesh;
+      kept.Small = this->Update(data);
     }
   }
   return kept.Small != nullptr;
 }
 
-const vtkNBufferMeshes::Entry& vtkNBufferMeshes::Update(vtkPolyData* data)
+std::shared_ptr<const vtkNBufferMesh> vtkNBufferMeshes::Update(vtkPolyData* data)
 {
   // A polydata at the address of a deleted one is not mistaken for it: its time is newer.
   Entry& entry = this->Entries[data];
   const vtkMTimeType time = data->GetMTime();
-  if (entry.Time != time)
+  std::shared_ptr<const vtkNBufferMesh> mesh = entry.Mesh.lock();
+  if (!mesh || entry.Time != time)
   {
+    mesh = std::make_shared<vtkNBufferMesh>(vtkNBufferSurface::GetMesh(data));
     entry.Time = time;
-    entry.Mesh = std::make_shared<vtkNBufferMesh>(vtkNBufferSurface::GetMesh(data));
+    entry.Mesh = mesh;
   }
-  entry.Frame = this->Frame;
-  return entry;
+  return mesh;
 }
 VTK_ABI_NAMESPACE_END

@@ -5,9 +5,9 @@
  * @brief A cache of the triangles of polydata.
  *
  * Actors that show the same polydata share one mesh, which takes 24 bytes per point and 12 per
- * triangle. A mesh is released if it has not been requested for more than 256 frames; this is
- * checked in every 256th frame. The owner also keeps which meshes a prop has (OfProp): getting the
- * data of an actor and their time from VTK takes longer than testing a mesh of 20 points.
+ * triangle. The owner keeps the meshes of each prop (OfProp): getting the data of an actor and
+ * their time from VTK takes longer than testing a mesh of 20 points. Those that have not been
+ * requested for more than 256 frames are released; this is checked in every 256th frame.
  */
 #ifndef vtkNBufferMeshes_h
 #define vtkNBufferMeshes_h
@@ -53,8 +53,8 @@ public:
     ///@}
   };
 
-  /// Count a frame. In every 256th frame, release the meshes that have not been requested for more
-  /// than 256 frames, in this cache and in `kept`.
+  /// Count a frame. In every 256th frame, release the meshes in `kept` that have not been requested
+  /// for more than 256 frames.
   void BeginFrame(std::vector<OfProp>& kept);
 
   /**
@@ -81,11 +81,10 @@ private:
   struct Entry
   {
     vtkMTimeType Time = 0;
-    int Frame = 0; ///< The last frame that requested the mesh.
-    std::shared_ptr<const vtkNBufferMesh> Mesh;
+    std::weak_ptr<const vtkNBufferMesh> Mesh;
   };
 
-  const Entry& Update(vtkPolyData* data);
+  std::shared_ptr<const vtkNBufferMesh> Update(vtkPolyData* data);
 
   std::unordered_map<vtkPolyData*, Entry> Entries;
   int Frame = 0;

@@ -182,9 +182,10 @@ struct vtkNBufferState
   /// Whether every change of the prop invokes an event (vtkNBufferPropWatch::IsWhollyObserved()).
   bool Observed = false;
 
-  /// Whether the rectangle is stale and the prop lies below a node of the hierarchy that this
-  /// frame's depth test has hidden.
-  bool Behind = false;
+  /// If the levels hide the prop, or its rectangle is stale and they hide a node of the hierarchy
+  /// above it, how much nearer than it they are at least (vtkNBufferOcclusionTest::GetClearance());
+  /// otherwise not positive.
+  float Clearance = 0.0F;
 };
 
 VTK_ABI_NAMESPACE_END

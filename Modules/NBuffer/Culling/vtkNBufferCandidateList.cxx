@@ -22,8 +22,8 @@ constexpr std::size_t ObjectsToObserve = 2048;
 
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
 {
-  if (!this->Candidates.Synchronize(
-        props, static_cast<std::size_t>(count), this->States, this->MeshesOfProps))
+  if (!this->Candidates.Synchronize(props, static_cast<std::size_t>(count), this->States,
+        this->MeshesOfProps, this->FacesOfProps))
   {
     return false;
   }
@@ -145,6 +145,7 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
     this->States[i].Observed = false;
     this->States[i].OwnVerdict = candidate.GetVerdict();
     this->MeshesOfProps[i] = {};
+    this->FacesOfProps[i] = {};
     if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
     {
       this->Tree.HasChanged(i);
@@ -244,7 +245,8 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
   {
     state.Verdict = state.OwnVerdict;
     state.Placement = vtkNBufferPlacement::Outside;
-    state.RectangleIsStale = state.Behind = false;
+    state.RectangleIsStale = false;
+    state.Clearance = 0.0F;
   }
   if (!this->UsesTree() || !this->Tree.Update(this->Candidates.GetItems()))
   {
@@ -325,9 +327,16 @@ vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
   return drawn;
 }
 
-const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferCandidateList::GetMeshes(int i, int limit)
+void vtkNBufferCandidateList::ReadTriangles(int i, int limit)
 {
-  return this->Meshes.Get(this->GetProp(i), limit, this->MeshesOfProps[i]);
+  vtkNBufferMeshes::OfProp& kept = this->MeshesOfProps[i];
+  const std::vector<vtkNBufferMeshes::Placed>& meshes =
+    this->Meshes.Get(this->GetProp(i), limit, kept);
+  if (!this->FacesOfProps[i].AreKnown)
+  {
+    this->Faces.Set(i, meshes, this->GetBox(i), this->FacesOfProps);
+    this->FacesOfProps[i].AreKnown = kept.Limit == limit;
+  }
 }
 
 bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test)

@@ -12,6 +12,7 @@
 
 #include "vtkNBufferCandidate.h"
 #include "vtkNBufferCandidateTree.h"
+#include "vtkNBufferFaces.h"
 #include "vtkNBufferMeshes.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferObservedObjects.h"
@@ -56,8 +57,8 @@ public:
   /// level 0 in pixels.
   int GetLevelsNeeded(int factor) const { return this->Tree.GetLevelsNeeded(factor); }
 
-  /// Mark the deferred props below hidden nodes as Behind. This must be called before the first
-  /// test of a frame; further calls in the frame do nothing.
+  /// Set the Clearance of the deferred props below hidden nodes. This must be called before the
+  /// first test of a frame; further calls in the frame do nothing.
   void MarkHidden(vtkNBufferOcclusionTest& test) { this->Tree.MarkHidden(test, this->States); }
 
   /**
@@ -88,8 +89,20 @@ public:
   /// Describe prop i for vtkNBufferTieOrder. `round` is 0 for props that the renderer draws.
   vtkNBufferDrawnProp GetDrawn(int i, int round);
 
-  /// The triangles of prop i, see vtkNBufferMeshes; none if it has `limit` polygons or more.
-  const std::vector<vtkNBufferMeshes::Placed>& GetMeshes(int i, int limit);
+  /// Read the triangles and faces of prop i; none if it has `limit` polygons or more.
+  void ReadTriangles(int i, int limit);
+
+  ///@{
+  /// What ReadTriangles() has read. The triangles are released if they are not read for some time,
+  /// and then empty. The faces of composite data are never known, because blocks may change without
+  /// a newer time: they have to be read in each frame.
+  const std::vector<vtkNBufferMeshes::Placed>& GetMeshes(int i) const
+  {
+    return this->MeshesOfProps[i].Meshes;
+  }
+  const vtkNBufferFaces& GetFaces() const { return this->Faces; }
+  const vtkNBufferFaces::OfProp& GetFaces(int i) const { return this->FacesOfProps[i]; }
+  ///@}
 
   /// Whether any triangle of candidate i may be visible. Also true if its triangles are not known:
   /// only those of small meshes are copied (vtkNBufferMeshes::FindSmall), for props that the last
@@ -144,6 +157,8 @@ private:
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
   std::vector<vtkNBufferMeshes::OfProp> MeshesOfProps; ///< One element for each prop.
+  vtkNBufferFaces Faces;
+  std::vector<vtkNBufferFaces::OfProp> FacesOfProps; ///< One element for each prop.
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
   vtkNBufferObservedObjects Observed; ///< The objects of props, except for actors.
   /// A deleted actor counts as changed, because another prop may have been made at its address.

@@ -185,15 +185,17 @@ void vtkNBufferCandidateTree::MarkHidden(
     }
     ++this->Done.Nodes;
     vtkNBufferScreenBox screen;
-    if (this->Projection->Project(node.Box, screen) != vtkNBufferPlacement::Inside ||
-      !test.IsHidden(screen))
+    const bool isInside =
+      this->Projection->Project(node.Box, screen) == vtkNBufferPlacement::Inside;
+    const auto clearance = static_cast<float>(isInside ? test.GetClearance(screen) : 0.0);
+    if (!(clearance > 0.0F))
     {
       return true;
     }
     for (int slot = node.Begin; slot < node.End; ++slot)
     {
       vtkNBufferState& state = states[this->Tree.GetOrder()[slot]];
-      state.Behind = state.RectangleIsStale;
+      state.Clearance = state.RectangleIsStale ? clearance : 0.0F;
     }
     return false;
   };

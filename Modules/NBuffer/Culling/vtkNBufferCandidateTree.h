@@ -92,8 +92,8 @@ public:
   /// vtkNBufferOcclusionTest::GetLevelsNeeded().
   int GetLevelsNeeded(int factor) const;
 
-  /// Mark the deferred props below hidden nodes as Behind. Only the first call in a frame does
-  /// this: what is hidden stays hidden, because depth only gets nearer while a frame is drawn.
+  /// Set the Clearance of the deferred props below hidden nodes. Only the first call in a frame
+  /// does this: what is hidden stays hidden, because depth only gets nearer while a frame is drawn.
   void MarkHidden(vtkNBufferOcclusionTest& test, std::vector<vtkNBufferState>& states);
 
   /// The projection that was given to the last FindPlacements(), with which deferred props are

@@ -3,6 +3,7 @@
 #include "vtkNBufferDepthTest.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
@@ -12,7 +13,7 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -21,6 +22,9 @@ namespace
 /// If the pixels are not in host memory yet, reading them is worth its cost for at least this many
 /// candidates.
 constexpr std::size_t CandidatesWorthARead = 32;
+
+/// The number of hidden props that is worth a thread of its own in the test for slivers.
+constexpr vtkIdType PropsPerThread = 256;
 
 template <typename Predicate>
 void RemoveIf(std::vector<int>& places, Predicate&& predicate)
@@ -183,20 +187,54 @@ const float* vtkNBufferDepthTest::GetDepth(const std::vector<int>& places)
   return this->Backend.GetDepth(this->GetJob(1), rectangles);
 }
 
-bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
+bool vtkNBufferDepthTest::MayBeInFront(
+  const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece)
 {
-  // The rectangle is calculated now if only a node above the prop was found hidden so far.
-  const vtkNBufferScreenBox* screen = this->GetScreen(i);
-  if (!screen || screen->GetSampled(this->SampleDistance).IsEmpty())
+  vtkNBufferScreenBox screen;
+  const vtkNBufferPlacement placement = this->Projection.Project(piece.GetBox(), screen);
+  if (placement != vtkNBufferPlacement::Inside)
   {
-    return false;
+    return placement == vtkNBufferPlacement::Crossing;
   }
-  const std::vector<vtkNBufferMeshes::Placed>& meshes =
-    this->Props.GetMeshes(i, this->Settings.MinimumNumberOfPrimitives);
-  return std::any_of(meshes.begin(), meshes.end(),
-    [&](const vtkNBufferMeshes::Placed& placed) {
-      return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), this->Props.GetBox(i), *screen);
-    });
+  const double clearance =
+    vtkNBufferOcclusionTest(this->Levels, this->SampleDistance).GetClearance(screen);
+  return !(clearance > 0.0) ||
+    (!std::isinf(clearance) && faceTest.MayBeInFront(this->Props.GetFaces(), piece, clearance));
+}
+
+vtkNBufferDepthTest::Slivers vtkNBufferDepthTest::FindSlivers(
+  int i, const vtkNBufferFaceTest& faceTest, const vtkNBufferSliverTest& sliverTest)
+{
+  const auto clearance = std::max<double>(this->Props.GetState(i).Clearance, 0.0);
+  const vtkNBufferFaces& faces = this->Props.GetFaces();
+  const vtkNBufferFaces::OfProp& ofProp = this->Props.GetFaces(i);
+  for (unsigned int place = ofProp.Begin; place < ofProp.End; ++place)
+  {
+    const vtkNBufferFaces::Piece& piece = faces.GetPieces()[place];
+    if (!faceTest.MayBeInFront(faces, piece, clearance) || !this->MayBeInFront(faceTest, piece))
+    {
+      continue;
+    }
+    const std::vector<vtkNBufferMeshes::Placed>& meshes = this->Props.GetMeshes(i);
+    if (meshes.empty())
+    {
+      return Slivers::Unknown;
+    }
+    // The rectangle is calculated now if only a node above the prop was found hidden so far.
+    const vtkNBufferScreenBox* screen = this->GetScreen(i);
+    if (!screen || screen->GetSampled(this->SampleDistance).IsEmpty())
+    {
+      return Slivers::Hidden;
+    }
+    const vtkNBufferMeshes::Placed& mesh = meshes[piece.Mesh];
+    if (sliverTest.MayBeSeen(*mesh.Mesh, piece.Triangle,
+          piece.Triangle + vtkNBufferFaces::TrianglesOfPiece, mesh.ToWorld.data(),
+          this->Props.GetBox(i), *screen))
+    {
+      return Slivers::Visible;
+    }
+  }
+  return Slivers::Hidden;
 }
 
 void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places)
@@ -206,17 +244,55 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
     return;
   }
   const vtkNBufferClock clock;
-  vtkNBufferSliverTest test(
+  const vtkNBufferFaceTest faceTest(this->Projection, this->SampleDistance);
+  const vtkNBufferSliverTest sliverTest(
     this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->SampleDistance);
-  std::vector<int> visible;
+  std::vector<Slivers> slivers(tested.size(), Slivers::Hidden);
   auto left = places.begin();
-  std::copy_if(tested.begin(), tested.end(), std::back_inserter(visible),
-    [&](int i)
+  for (std::size_t n = 0; n < tested.size() && left != places.end(); ++n)
+  {
+    if (*left == tested[n])
     {
-      const bool isLeft = left != places.end() && *left == i;
-      left += isLeft ? 1 : 0;
-      return isLeft || this->HasVisibleSlivers(i, test);
-    });
+      slivers[n] = Slivers::Visible;
+      ++left;
+    }
+  }
+  vtkNBufferForEachProp::RunEach(
+    tested.size(),
+    [&](vtkIdType n)
+    {
+      // A box without samples has an infinite clearance.
+      if (slivers[n] == Slivers::Hidden && !std::isinf(this->Props.GetState(tested[n]).Clearance))
+      {
+        slivers[n] = this->Props.GetFaces(tested[n]).AreKnown
+          ? this->FindSlivers(tested[n], faceTest, sliverTest)
+          : Slivers::Unknown;
+      }
+    },
+    PropsPerThread);
+  if (std::find(slivers.begin(), slivers.end(), Slivers::Unknown) != slivers.end())
+  {
+    vtkNBufferForEachProp::RunInOneThread(
+      [&]()
+      {
+        for (std::size_t n = 0; n < tested.size(); ++n)
+        {
+          if (slivers[n] == Slivers::Unknown)
+          {
+            this->Props.ReadTriangles(tested[n], this->Settings.MinimumNumberOfPrimitives);
+            slivers[n] = this->FindSlivers(tested[n], faceTest, sliverTest);
+          }
+        }
+      });
+  }
+  std::vector<int> visible;
+  for (std::size_t n = 0; n < tested.size(); ++n)
+  {
+    if (slivers[n] == Slivers::Visible)
+    {
+      visible.push_back(tested[n]);
+    }
+  }
   this->Statistics.Slivers += static_cast<int>(visible.size() - places.size());
   places.swap(visible);
   this->Statistics.SliverTestTime += clock.GetMilliseconds();
@@ -224,19 +300,22 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
 
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
-  const std::vector<int> tested = this->Settings.TestSlivers ? places : std::vector<int>();
+  const std::vector<int> tested =
+    this->Settings.TestSlivers && vtkNBufferGL::GetSoftwareRenderer() ? places : std::vector<int>();
   vtkNBufferClock clock;
   vtkNBufferOcclusionTest test(this->Levels, this->SampleDistance);
   this->Props.MarkHidden(test);
   RemoveIf(places,
     [&](int i)
     {
-      if (this->Props.GetState(i).Behind)
+      // GetScreen() may not be called for a prop that lies below a hidden node.
+      float& clearance = this->Props.GetState(i).Clearance;
+      const vtkNBufferScreenBox* screen = clearance > 0.0F ? nullptr : this->GetScreen(i);
+      if (screen)
       {
-        return true;
+        clearance = static_cast<float>(test.GetClearance(*screen));
       }
-      const vtkNBufferScreenBox* screen = this->GetScreen(i);
-      return screen && test.IsHidden(*screen);
+      return clearance > 0.0F;
     });
   this->Statistics.Queries += test.GetQueries();
   this->Statistics.Lookups += test.GetLookups();
@@ -256,7 +335,8 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     if (this->Settings.TestTriangles)
     {
       const std::size_t seen = places.size();
-      RemoveIf(places, [&](int i) { return !this->Props.MayBeSeen(i, pixelTest); });
+      vtkNBufferForEachProp::RunInOneThread(
+        [&]() { RemoveIf(places, [&](int i) { return !this->Props.MayBeSeen(i, pixelTest); }); });
       this->Statistics.HiddenByTriangles += static_cast<int>(seen - places.size());
     }
     this->Statistics.Lookups += pixelTest.GetLookups();

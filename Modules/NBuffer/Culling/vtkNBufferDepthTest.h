@@ -12,9 +12,11 @@
  *  2. Candidates that the levels do not find hidden are compared with the pixels
  *     (vtkNBufferPixelTest): first their boxes, then the triangles of small meshes. This step needs
  *     the depth image, and is done only if that is in host memory or worth reading.
- *  3. With TestSlivers: candidates that were found hidden may have slivers that a device draws in
- *     front of their boxes (vtkNBufferSliverTest). Such candidates count as visible. Props of
- *     MinimumNumberOfPrimitives polygons or more, which are divided, are not examined.
+ *  3. With TestSlivers and a software renderer: candidates that were found hidden may have slivers
+ *     that are drawn in front of their boxes. vtkNBufferFaceTest rules this out for most of them.
+ *     What remains is tested triangle by triangle (vtkNBufferSliverTest). Candidates with a sliver
+ *     that may be seen count as visible. Props of MinimumNumberOfPrimitives polygons or more, which
+ *     are divided, are not examined.
  */
 #ifndef vtkNBufferDepthTest_h
 #define vtkNBufferDepthTest_h
@@ -22,6 +24,7 @@
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDividedProp.h"
+#include "vtkNBufferFaceTest.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferSliverTest.h"
@@ -57,7 +60,7 @@ struct vtkNBufferSettings : vtkNBufferTuning
 
   std::shared_ptr<vtkNBufferSharedDepth> Shared; ///< nullptr if this frame is not shared.
   vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
-  bool TestSlivers = false;
+  bool TestSlivers = true;
   bool DivideProps = true;
   bool Freeze = false;
 };
@@ -111,7 +114,18 @@ private:
   /// Put back into `places` the candidates of `tested` that have a sliver that may be visible.
   /// Before and after the call `places` is a part of `tested`, in the same order.
   void PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places);
-  bool HasVisibleSlivers(int i, vtkNBufferSliverTest& test);
+  /// What is known of the slivers of a hidden candidate. Unknown if its triangles have to be read
+  /// first. May run in parallel for different candidates.
+  enum class Slivers : char
+  {
+    Hidden,
+    Visible,
+    Unknown
+  };
+  /// Whether a piece of a hidden candidate may be in front, given what hides the piece itself.
+  bool MayBeInFront(const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece);
+  Slivers FindSlivers(
+    int i, const vtkNBufferFaceTest& faceTest, const vtkNBufferSliverTest& sliverTest);
 
   vtkNBufferBackend& Backend;
   vtkNBufferLevels& Levels;

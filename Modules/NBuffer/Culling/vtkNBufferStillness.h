@@ -36,7 +36,7 @@ public:
 
 private:
   vtkNBufferCompatibility::DrawingSettings Drawing;
-  bool TestSlivers = false;
+  bool TestSlivers = true;
   bool IsShared = false;
   /// Whether anything has changed since the last frame that was not frozen.
   bool ChangedWhileFrozen = false;

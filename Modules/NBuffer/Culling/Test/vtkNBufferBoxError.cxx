@@ -12,10 +12,12 @@ constexpr double DepthErrors = 4.0;
 constexpr double ReversedDepthErrors = 6.0;
 constexpr double PlaneErrors = 8.0;
 constexpr double PositionErrors = 16.0;
-constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
+constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of the grid
 // The factors for single triangles (vtkNBufferSliverTest.h), in units of UnitRoundoff.
 constexpr double SlopeErrors = 32.0;
 constexpr double LowestRelativeHeight = 64.0;
+constexpr double DivisionErrors = 4.0;
+constexpr double AdditionErrors = 2.0;
 }
 
 vtkNBufferDepthFormat vtkNBufferDepthFormat::FromQuantum(
@@ -42,6 +44,7 @@ void vtkNBufferBoxError::Set(
   this->PositionRounding = PositionErrors * UnitRoundoff * largestCoordinate;
   this->WholeBorder =
     std::min(LargestSnap, std::ldexp(1.0, -subpixelBits) + this->PositionRounding);
+  this->SnapsToGrid = std::ldexp(1.0, -subpixelBits) <= GridStep;
   this->PlaneRounding = PlaneErrors * UnitRoundoff * largestCoordinate;
   this->DepthRangeSlack = (OvershootInPixels + this->PlaneRounding) / LowestHeight;
 }
@@ -52,6 +55,7 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
   TriangleErrors errors;
   errors.PositionError = position + this->PositionRounding;
   errors.LargestCoordinate = this->LargestCoordinate;
+  errors.IsSnappedToGrid = this->SnapsToGrid;
   errors.Overshoot = OvershootInPixels;
   errors.DepthError = depth;
   errors.DepthErrorPerSlope = OvershootInPixels + this->PlaneRounding;
@@ -61,5 +65,14 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
   errors.CoveredSlope = errors.BoxSlack / (errors.DepthErrorPerSlope + errors.SlopeRounding);
   errors.LowestRelativeHeight = LowestRelativeHeight * UnitRoundoff;
   return errors;
+}
+
+glm::dvec2 vtkNBufferBoxError::TriangleErrors::GetPlaceError(const glm::dvec2& ofPlace, double ofW,
+  double inverseW, const glm::dvec2& aside, const glm::dvec2& half) const
+{
+  // The largest window coordinates that the corner of the viewport may have.
+  const glm::dvec2 origin = this->LargestCoordinate - 2.0 * half;
+  return (ofPlace + aside * ofW) * inverseW +
+    UnitRoundoff * (DivisionErrors * aside + AdditionErrors * (origin + half + aside));
 }
 VTK_ABI_NAMESPACE_END

@@ -106,6 +106,10 @@ class VTKNBUFFER_EXPORT vtkNBufferBoxError
 {
 public:
   static constexpr double UnitRoundoff = 1.0 / (1 << 24);
+  /// The step of the grid of Overshoot, in pixels. A device with as many subpixel bits snaps a
+  /// vertex to the nearest point of this grid; others are assumed to move it by half a step at
+  /// most.
+  static constexpr double GridStep = 1.0 / 256;
   static constexpr double LowestHeight = 1.0 / 16; ///< t of the derivation above, in pixels.
 
   /// `largestCoordinate` is n of the derivation above, in pixels, and `subpixelBits` is b.
@@ -125,6 +129,16 @@ public:
     return VertexErrors * UnitRoundoff *
       (glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), box.Magnitude) +
         std::abs(Evaluate(row, box.Origin)));
+  }
+
+  /// E of four rows of a matrix at once: `absolute` are the absolute values of its elements, and
+  /// `ofOrigin` are the values of the rows at the origin o.
+  static glm::dvec4 GetVertexErrors(
+    const glm::dmat4& absolute, const glm::dvec3& magnitude, const glm::dvec4& ofOrigin)
+  {
+    return VertexErrors * UnitRoundoff *
+      (vtkNBufferGLM::Multiply(absolute, glm::dvec4(magnitude, 0.0)) +
+        vtkNBufferGLM::Abs(ofOrigin));
   }
 
   /// The pixels to add on each side of a projected box: its margin and the border of the derivation
@@ -158,6 +172,8 @@ public:
     double PositionError;
     /// n of the derivation above, in pixels.
     double LargestCoordinate;
+    /// Whether a vertex is known to be snapped to the nearest multiple of GridStep.
+    bool IsSnappedToGrid;
     /// How far a sample may be outside of the triangle that it belongs to, beyond PositionError.
     double Overshoot;
     /// The error of any sample's depth that does not grow with the slope of the triangle.
@@ -177,6 +193,16 @@ public:
     double CoveredSlope;
     /// The height, in units of the longest side, below which rounding leaves no plane at all.
     double LowestRelativeHeight;
+
+    /**
+     * E' of vtkNBufferSliverTest.h: how far corners may be from their exact places before they are
+     * snapped, in x and in y, in pixels. `ofPlace` and `ofW` are their errors E of x, y and w, x
+     * and y times the size of a pixel; `inverseW` is 1 / w for the smallest w that a device may
+     * have for any of them, `aside` how far they are from the middle of the view at most, and
+     * `half` half the size of the view.
+     */
+    glm::dvec2 GetPlaceError(const glm::dvec2& ofPlace, double ofW, double inverseW,
+      const glm::dvec2& aside, const glm::dvec2& half) const;
   };
 
   /// `position` is how far E moves a vertex, in pixels. `depth` is the error of a depth without the
@@ -189,6 +215,7 @@ private:
   static constexpr double LargestSnap = 1.0 / 16; // pixels, OpenGL's minimum of subpixel bits
 
   vtkNBufferDepthFormat Format;
+  bool SnapsToGrid = false;
   double WholeBorder = LargestSnap; ///< The border of a box that is wholly in view, in pixels.
   double DepthRangeSlack = 0.0;     ///< The last term of the slack for a depth range of 1.
   double PlaneRounding = 0.0;       ///< 8 u n of the derivation above, in pixels.

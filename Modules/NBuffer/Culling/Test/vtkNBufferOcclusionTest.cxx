@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferOcclusionTest.h"
 
+#include <limits>
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkNBufferOcclusionTest::vtkNBufferOcclusionTest(
   const vtkNBufferLevels& levels, double sampleDistance)
@@ -24,18 +26,19 @@ vtkNBufferCover vtkNBufferOcclusionTest::GetCover(const vtkNBufferScreenBox& scr
                               vtkNBufferMath::GetBaseRectangle(pixels, this->Levels.GetFactor()));
 }
 
-bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferScreenBox& screen)
+double vtkNBufferOcclusionTest::GetClearance(const vtkNBufferScreenBox& screen)
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const vtkNBufferCover cover = this->GetCover(screen);
   // Without samples there is nothing to be seen. Without the level nothing is known, which means
   // visible.
   if (cover.Count == 0 || cover.Level >= this->Levels.GetNumberOfLevels())
   {
-    return cover.Count == 0;
+    return cover.Count == 0 ? infinity : -infinity;
   }
   ++this->Queries;
   this->Lookups += cover.Count;
-  return screen.Nearest > this->Levels.Query(cover);
+  return screen.Nearest - this->Levels.Query(cover);
 }
 
 bool vtkNBufferOcclusionTest::FindVisiblePixels(

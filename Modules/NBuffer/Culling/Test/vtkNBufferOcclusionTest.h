@@ -30,9 +30,13 @@ public:
    */
   explicit vtkNBufferOcclusionTest(const vtkNBufferLevels& levels, double sampleDistance = 0.5);
 
-  /// True only if nothing of the box can be seen. `screen` is what vtkNBufferProjection::Project()
-  /// gave for it in this viewport.
-  bool IsHidden(const vtkNBufferScreenBox& screen);
+  /**
+   * By how much the nearest depth of the box is beyond the farthest depth in its rectangle, in
+   * orders of depth. Positive only if nothing of the box can be seen; infinite for a box without
+   * samples. `screen` is what vtkNBufferProjection::Project() gave for it in this viewport.
+   */
+  double GetClearance(const vtkNBufferScreenBox& screen);
+  bool IsHidden(const vtkNBufferScreenBox& screen) { return this->GetClearance(screen) > 0.0; }
 
   /// Find where a box that is not hidden may be seen: the pixels of the texel of level 0 with the
   /// farthest depth. Returns false for a box that is hidden or needs a level that was not built.

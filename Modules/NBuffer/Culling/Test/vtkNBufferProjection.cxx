@@ -289,7 +289,11 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferProjection::GetTriangleErrors(
   // The errors of the vertices, and what Finish() adds to the depths except for the part with R.
   const double depth = this->Error.GetFormat().Scale * screen.Slack.z -
     this->Error.GetInterpolationSlack(screen.DepthRange);
-  return this->Error.GetTriangleErrors(position, depth, screen.DepthRange);
+  vtkNBufferBoxError::TriangleErrors errors =
+    this->Error.GetTriangleErrors(position, depth, screen.DepthRange);
+  // Where the device cuts a triangle, it snaps other corners.
+  errors.IsSnappedToGrid = errors.IsSnappedToGrid && this->IsWhollyInside(screen);
+  return errors;
 }
 
 vtkNBufferProjection::Rows vtkNBufferProjection::GetWindowMatrix(const glm::dmat4& toWorld) const

@@ -59,6 +59,7 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   const Rows& GetWorldToClip() const { return this->WorldToClip; }
+  const vtkNBufferBoxError& GetError() const { return this->Error; }
 
   /**
    * Whether a box lies outside one of the six planes of the view. The test uses only signs in clip

@@ -18,14 +18,7 @@ double Cross(const glm::dvec2& a, const glm::dvec2& b)
   return a.x * b.y - a.y * b.x;
 }
 
-/// How far a device may move a vertex when it snaps it, in x and in y, in pixels.
-constexpr double Snap = 1.0 / 512;
-
-///@{
-/// The factors of E' (see the header), in units of u.
-constexpr double DivisionErrors = 4.0;
-constexpr double AdditionErrors = 2.0;
-///@}
+constexpr double GridStep = vtkNBufferBoxError::GridStep;
 }
 
 /// A sliver. Its longest side runs from `From` to `To`.
@@ -43,6 +36,13 @@ struct vtkNBufferSliverTest::Sliver
   double Rounding;  ///< How much nearer than its plane a sample may be, for the slopes' rounding.
   bool HasPlane;    ///< If false, its samples may have any depth.
 
+  ///@{
+  /// Where the device snaps the corners to, and the errors of that in x and in y.
+  std::array<glm::dvec2, 3> Snapped;
+  std::array<glm::dvec2, 3> SnapError;
+  void Snap(bool isSnappedToGrid);
+  ///@}
+
   /// Whether a sample, at most `reach` from a place in x and in y, may lie in the triangle as
   /// snapped.
   bool MayOwn(const glm::dvec2& place, double reach) const;
@@ -52,27 +52,57 @@ struct vtkNBufferSliverTest::Sliver
   double GetNearest(const glm::dvec2& place, double reach, const Errors& errors) const;
 };
 
-bool vtkNBufferSliverTest::Sliver::MayOwn(const glm::dvec2& place, double reach) const
+void vtkNBufferSliverTest::Sliver::Snap(bool isSnappedToGrid)
 {
   const std::array<glm::dvec2, 3> corners = { glm::dvec2(this->From), glm::dvec2(this->To),
     glm::dvec2(this->Third) };
-  // A side and a distance from a corner err by no more than the sum of the errors of both ends.
-  const glm::dvec2 ofSide = 2.0 * (this->Error + Snap);
-  const glm::dvec2 ofPlace = this->Error + Snap + reach;
-  bool left = true;
-  bool right = true;
   for (int i = 0; i < 3; ++i)
   {
-    const glm::dvec2 side = corners[(i + 1) % 3] - corners[i];
-    const glm::dvec2 toPlace = place - corners[i];
+    this->Snapped[i] = corners[i];
+    this->SnapError[i] = this->Error + 0.5 * GridStep;
+    if (isSnappedToGrid)
+    {
+      // The first and the last step of the grid at which the corner may be.
+      const glm::dvec2 first = glm::floor((corners[i] - this->Error) / GridStep + 0.5);
+      const glm::dvec2 last = glm::floor((corners[i] + this->Error) / GridStep + 0.5);
+      this->Snapped[i] = 0.5 * GridStep * (first + last);
+      this->SnapError[i] = 0.5 * GridStep * (last - first);
+    }
+  }
+}
+
+bool vtkNBufferSliverTest::Sliver::MayOwn(const glm::dvec2& place, double reach) const
+{
+  glm::dvec2 low = this->Snapped[0] - this->SnapError[0];
+  glm::dvec2 high = this->Snapped[0] + this->SnapError[0];
+  bool left = true;
+  bool right = true;
+  bool isCertain = reach == 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int next = (i + 1) % 3;
+    const glm::dvec2 side = this->Snapped[next] - this->Snapped[i];
+    const glm::dvec2 toPlace = place - this->Snapped[i];
     const double area = Cross(side, toPlace);
+    // A side and a distance from a corner err by no more than the sum of the errors of both ends.
+    const glm::dvec2 ofSide = this->SnapError[i] + this->SnapError[next];
+    const glm::dvec2 ofPlace = this->SnapError[i] + reach;
     const double tolerance = ofSide.x * (std::abs(toPlace.y) + ofPlace.y) +
       ofSide.y * (std::abs(toPlace.x) + ofPlace.x) + ofPlace.x * std::abs(side.y) +
       ofPlace.y * std::abs(side.x);
     left = left && area >= -tolerance;
     right = right && area <= tolerance;
+    isCertain = isCertain && tolerance == 0.0;
+    low = glm::min(low, this->Snapped[i] - this->SnapError[i]);
+    high = glm::max(high, this->Snapped[i] + this->SnapError[i]);
   }
-  return left || right;
+  if (glm::any(glm::lessThan(place + reach, low)) ||
+    glm::any(glm::greaterThan(place - reach, high)))
+  {
+    return false;
+  }
+  // A triangle without area owns no sample. Snapped places are exact in double precision.
+  return (left || right) && !(isCertain && left && right);
 }
 
 double vtkNBufferSliverTest::Sliver::GetNearest(
@@ -114,37 +144,32 @@ vtkNBufferSliverTest::vtkNBufferSliverTest(const vtkNBufferProjection& projectio
 {
 }
 
-void vtkNBufferSliverTest::Project(
-  const vtkNBufferMesh& mesh, const vtkNBufferProjection::Rows& toWindow, double reach)
+vtkNBufferSliverTest::Point vtkNBufferSliverTest::Project(
+  const glm::dvec3& place, const vtkNBufferProjection::Rows& toWindow, double reach) const
 {
   const glm::dvec2 size(this->Levels.GetPixelWidth(), this->Levels.GetPixelHeight());
-  const auto round = [&size](const glm::dvec2& place)
+  const auto round = [&size](const glm::dvec2& corner)
   {
-    const glm::dvec2 up = glm::clamp(place, glm::dvec2(-1.0), size) + 1.0;
+    const glm::dvec2 up = glm::clamp(corner, glm::dvec2(-1.0), size) + 1.0;
     const glm::ivec2 whole(up); // rounds down, because no number is negative
     return whole - 1;
   };
-  this->Points.resize(mesh.Points.size());
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    const auto evaluate = [&](int row)
-    { return vtkNBufferBoxError::Evaluate(toWindow[row], mesh.Points[i]); };
-    Point& point = this->Points[i];
-    point.W = evaluate(3);
-    const bool isBefore = point.W > 0.0;
-    point.Place = isBefore ? glm::dvec2(evaluate(0), evaluate(1)) / point.W : glm::dvec2(0.0);
-    point.First = round(point.Place - reach + 0.5);
-    point.Last = round(point.Place + reach - 0.5);
-  }
+  const auto evaluate = [&](int row) { return vtkNBufferBoxError::Evaluate(toWindow[row], place); };
+  Point point;
+  point.W = evaluate(3);
+  point.Place = point.W > 0.0 ? glm::dvec2(evaluate(0), evaluate(1)) / point.W : glm::dvec2(0.0);
+  point.First = round(point.Place - reach + 0.5);
+  point.Last = round(point.Place + reach - 0.5);
+  return point;
 }
 
-bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
-  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
+bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, std::size_t begin, std::size_t end,
+  const double toWorld[16], const vtkNBufferBox& box, const vtkNBufferScreenBox& screen) const
 {
   const vtkNBufferProjection::Rows toWindow =
     this->Projection.GetWindowMatrix(vtkNBufferGLM::ToMatrix(toWorld));
   const Errors errors = this->Projection.GetTriangleErrors(screen);
-  this->Project(mesh, toWindow, Snap + errors.PositionError + this->SampleDistance);
+  const double reach = 0.5 * GridStep + errors.PositionError + this->SampleDistance;
 
   // The errors of clip coordinates, x and y times the size of a pixel.
   const glm::dvec2 half = { 0.5 * this->Projection.GetWidth(), 0.5 * this->Projection.GetHeight() };
@@ -153,16 +178,15 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
   { return vtkNBufferBoxError::GetVertexError(toClip[row], box); };
   const glm::dvec2 ofPlace = half * glm::dvec2(getError(0), getError(1));
   const double ofW = getError(3);
-  // The largest window coordinates that the corner of the viewport may have.
-  const glm::dvec2 origin = errors.LargestCoordinate - 2.0 * half;
   // Two corners may err by the diagonal of PositionError each, and 2 sqrt(2) is less than 3.
   const double covered = 3.0 * errors.PositionError + screen.DepthRange / errors.CoveredSlope;
 
-  for (const std::array<unsigned int, 3>& triangle : mesh.Triangles)
+  for (std::size_t i = begin; i < std::min(end, mesh.Triangles.size()); ++i)
   {
-    const Point& a = this->Points[triangle[0]];
-    const Point& b = this->Points[triangle[1]];
-    const Point& c = this->Points[triangle[2]];
+    const std::array<unsigned int, 3>& triangle = mesh.Triangles[i];
+    const Point a = this->Project(mesh.Points[triangle[0]], toWindow, reach);
+    const Point b = this->Project(mesh.Points[triangle[1]], toWindow, reach);
+    const Point c = this->Project(mesh.Points[triangle[2]], toWindow, reach);
     const glm::ivec2 first = glm::min(glm::min(a.First, b.First), c.First);
     const glm::ivec2 last = glm::max(glm::max(a.Last, b.Last), c.Last);
     if (first.x > last.x || first.y > last.y)
@@ -185,10 +209,7 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
     glm::dvec2 error(errors.PositionError);
     if (w > ofW)
     {
-      error = glm::min(error,
-        (ofPlace + aside * ofW) / (w - ofW) +
-          vtkNBufferBoxError::UnitRoundoff *
-            (DivisionErrors * aside + AdditionErrors * (origin + half + aside)));
+      error = glm::min(error, errors.GetPlaceError(ofPlace, ofW, 1.0 / (w - ofW), aside, half));
     }
     const auto getCorner = [&](const Point& point, unsigned int i)
     {
@@ -258,6 +279,7 @@ bool vtkNBufferSliverTest::MayBeSeen(
     }
     sliver.Rounding = slope * (errors.DepthErrorPerSlope - errors.Overshoot) + ofSlopes;
   }
+  sliver.Snap(errors.IsSnappedToGrid);
   return this->HasVisibleSample(sliver, errors);
 }
 
