@@ -54,7 +54,7 @@ MUTANTS = {
         (HIERARCHY, "this->High = glm::max(this->High, high);",
          "this->High = glm::max(this->High, low);")],
     "held-back props below visible nodes of the hierarchy count as hidden": [
-        (CANDIDATE_TREE, "!test.IsHidden(screen))", "false)")],
+        (CANDIDATE_TREE, "isInside ? test.GetClearance(screen) : 0.0", "1.0")],
 
     # Units of large props.
     "boxes of units 1 % too small": [
@@ -325,8 +325,9 @@ EQUIVALENT = {
     # Equal depth has to count as visible. But Nearest is the depth less a slack that is never 0, so
     # that where the two numbers are equal the prop lies at least the slack behind the depth.
     "equal numbers count as hidden (> turned to >=)": [
-        ("vtkNBufferOcclusionTest.cxx", "return screen.Nearest > this->Levels",
-         "return screen.Nearest >= this->Levels")],
+        ("vtkNBufferOcclusionTest.cxx", "return screen.Nearest - this->Levels.Query(cover);",
+         "const double clearance = screen.Nearest - this->Levels.Query(cover); "
+         "return clearance == 0.0 ? 1e-30 : clearance;")],
     # What is before the near plane and in front of the eye has a negative depth, which nothing hides.
     "crossing the near plane counts as inside, crossing the eye does not": [
         (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
