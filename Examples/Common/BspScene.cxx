@@ -29,10 +29,10 @@ namespace fs = std::filesystem;
 using MapPointer = std::shared_ptr<const BspMap>;
 
 // Units of the map.
-constexpr double EyeHeight = 26.0; // above the origin of a player
-constexpr double Step = 12.0;
-constexpr double Clearance = 16.0;
-constexpr double LookAhead = 48.0;
+constexpr double PlayerEyeHeight = 26.0; // above the origin of a player
+constexpr double PlayerStep = 12.0;
+constexpr double PlayerClearance = 16.0;
+constexpr double PlayerLookAhead = 48.0;
 constexpr double NearPlane = 4.0;
 constexpr int PatchSteps = 4;
 
@@ -66,7 +66,7 @@ Parts MakeParts(const BspMap& map, bool byClusters)
   return parts;
 }
 
-vtkSmartPointer<vtkPolyData> MakeMesh(const BspMap& map, const std::vector<std::size_t>& faces)
+vtkSmartPointer<vtkPolyData> MakeFaceMesh(const BspMap& map, const std::vector<std::size_t>& faces)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> triangles;
@@ -152,7 +152,7 @@ bool IsFree(const BspMap& map, const BspPoint& eye)
   for (int i = 0; i < 27 && free; ++i)
   {
     const BspPoint step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    free = map.FindCluster(eye + Clearance * step) != BspMap::Opaque;
+    free = map.FindCluster(eye + PlayerClearance * step) != BspMap::Opaque;
   }
   return free;
 }
@@ -164,7 +164,7 @@ std::vector<BspPoint> FindStarts(const BspMap& map)
   {
     for (BspPoint origin : map.FindOrigins(prefix))
     {
-      origin[2] += EyeHeight;
+      origin[2] += PlayerEyeHeight;
       if (IsFree(map, origin))
       {
         starts.push_back(origin);
@@ -174,7 +174,7 @@ std::vector<BspPoint> FindStarts(const BspMap& map)
   return starts;
 }
 
-CameraPath MakeWalk(const BspMap& map, int frames, std::uint64_t seed)
+CameraPath MakePlayerWalk(const BspMap& map, int frames, std::uint64_t seed)
 {
   const std::vector<BspPoint> starts = FindStarts(map);
   if (starts.empty())
@@ -200,13 +200,16 @@ CameraPath MakeWalk(const BspMap& map, int frames, std::uint64_t seed)
     else
     {
       const auto isFree = [&]()
-      { return IsFree(map, ahead(Step)) && map.GetOpaqueLength(eye, ahead(LookAhead)) == 0.0; };
+      {
+        return IsFree(map, ahead(PlayerStep)) &&
+          map.GetOpaqueLength(eye, ahead(PlayerLookAhead)) == 0.0;
+      };
       yaw += random.Between(-0.03, 0.03);
       for (int turns = 0; turns < 12 && !isFree(); ++turns)
       {
         yaw += 0.5;
       }
-      eye = isFree() ? ahead(Step) : eye;
+      eye = isFree() ? ahead(PlayerStep) : eye;
     }
     // 90 degrees wide at 4 to 3, the game's default.
     path.push_back({ eye, ahead(1.0), { 0.0, 0.0, 1.0 }, 73.74, NearPlane, 8192.0 });
@@ -248,11 +251,11 @@ Scene LoadBsp(const std::string& name)
   scene.Name = fs::path(file).filename().string() + " " + parts;
   for (const std::vector<std::size_t>& part : faces)
   {
-    AddPart(scene, MakePartMapper(MakeMesh(*map, part)));
+    AddPart(scene, MakePartMapper(MakeFaceMesh(*map, part)));
   }
   scene.Known = std::make_shared<const BspVisibility>(map, faces);
   scene.Paths = { { "walk",
-    [map](int frames, std::uint64_t seed) { return MakeWalk(*map, frames, seed); } } };
+    [map](int frames, std::uint64_t seed) { return MakePlayerWalk(*map, frames, seed); } } };
   return scene;
 }
 

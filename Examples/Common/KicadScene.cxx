@@ -203,10 +203,10 @@ KicadBoard ReadBoard(const fs::path& file)
   return ParseFile(file.string(), ReadKicadBoard);
 }
 
-class Builder
+class BoardBuilder
 {
 public:
-  Builder(const fs::path& folder, const Progress& progress)
+  BoardBuilder(const fs::path& folder, const Progress& progress)
     : Models(folder)
     , Report(progress)
   {
@@ -331,7 +331,7 @@ CameraPath MakeOver(const KicadBoard& board, int frames)
 Scene LoadBoard(const fs::path& file, const Progress& progress)
 {
   const KicadBoard board = ReadBoard(file);
-  Builder builder(file.parent_path(), progress);
+  BoardBuilder builder(file.parent_path(), progress);
   builder.AddBoard(board, 0.0);
   for (const KicadPart& part : board.Parts)
   {
@@ -356,7 +356,7 @@ Scene LoadCage(const fs::path& folder, bool inPieces, const Progress& progress)
   {
     boards.push_back(ReadBoard(file));
   }
-  Builder builder(folder, progress);
+  BoardBuilder builder(folder, progress);
   for (int slot = 0; slot < Slots; ++slot)
   {
     const KicadBoard& board = boards[static_cast<std::size_t>(slot) % boards.size()];

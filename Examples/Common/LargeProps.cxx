@@ -75,7 +75,7 @@ double GetHeight(double x, double y)
 }
 
 /// Half a million triangles, row by row.
-vtkSmartPointer<vtkPolyData> MakeGround()
+vtkSmartPointer<vtkPolyData> MakeGroundMesh()
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(-4.0, -4.0, 0.0);
@@ -190,7 +190,7 @@ Scene MakeTerrain(int count)
 {
   Scene scene;
   scene.Name = count > 0 ? "points-terrain" : "terrain";
-  scene.Actors = { MakeActor(MakeGround(), { 0.45, 0.6, 0.3 }) };
+  scene.Actors = { MakeActor(MakeGroundMesh(), { 0.45, 0.6, 0.3 }) };
   if (count > 0)
   {
     std::minstd_rand random(2);

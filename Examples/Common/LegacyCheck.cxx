@@ -13,9 +13,9 @@ namespace NBufferExamples
 namespace
 {
 /// The bytes of a number in a binary file, by the name of its type.
-const std::map<std::string, int> Sizes = { { "char", 1 }, { "unsigned_char", 1 }, { "short", 2 },
-  { "unsigned_short", 2 }, { "int", 4 }, { "unsigned_int", 4 }, { "vtkidtype", 4 }, { "float", 4 },
-  { "long", 8 }, { "unsigned_long", 8 }, { "vtktypeint64", 8 }, { "double", 8 } };
+const std::map<std::string, int> LegacySizes = { { "char", 1 }, { "unsigned_char", 1 },
+  { "short", 2 }, { "unsigned_short", 2 }, { "int", 4 }, { "unsigned_int", 4 }, { "vtkidtype", 4 },
+  { "float", 4 }, { "long", 8 }, { "unsigned_long", 8 }, { "vtktypeint64", 8 }, { "double", 8 } };
 /// The sections that hold cells.
 const std::set<std::string> CellSections = { "CELLS", "VERTICES", "LINES", "POLYGONS",
   "TRIANGLE_STRIPS" };
@@ -90,8 +90,8 @@ private:
   {
     if (this->IsBinary)
     {
-      const auto size = Sizes.find(type);
-      const long long bytes = size == Sizes.end() ? 0 : numbers * size->second;
+      const auto size = LegacySizes.find(type);
+      const long long bytes = size == LegacySizes.end() ? 0 : numbers * size->second;
       if (this->File.ignore(bytes).gcount() < bytes)
       {
         this->File.setstate(std::ios::failbit);

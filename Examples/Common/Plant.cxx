@@ -78,10 +78,10 @@ vtkSmartPointer<vtkPolyData> MakeElbow()
   return normals->GetOutput();
 }
 
-class Builder
+class PlantBuilder
 {
 public:
-  explicit Builder(std::uint64_t seed)
+  explicit PlantBuilder(std::uint64_t seed)
     : Numbers(seed)
   {
     vtkNew<vtkCubeSource> cube;
@@ -344,7 +344,7 @@ CameraPath MakeAround(int frames)
 
 Scene MakePlant(std::uint64_t seed)
 {
-  Scene scene = Builder(seed).Build();
+  Scene scene = PlantBuilder(seed).Build();
   scene.Paths = { { "inside", [](int frames, std::uint64_t) { return MakeInside(frames); } },
     { "around", [](int frames, std::uint64_t) { return MakeAround(frames); } } };
   return scene;

@@ -14,7 +14,7 @@ namespace NBufferExamples
 namespace
 {
 /// The bytes of a number, by the name of its type.
-const std::map<std::string, int> Sizes = { { "char", 1 }, { "uchar", 1 }, { "int8", 1 },
+const std::map<std::string, int> PlySizes = { { "char", 1 }, { "uchar", 1 }, { "int8", 1 },
   { "uint8", 1 }, { "short", 2 }, { "ushort", 2 }, { "int16", 2 }, { "uint16", 2 }, { "int", 4 },
   { "uint", 4 }, { "int32", 4 }, { "uint32", 4 }, { "float", 4 }, { "float32", 4 }, { "double", 8 },
   { "float64", 8 } };
@@ -74,9 +74,10 @@ bool ReadHeader(std::istream& file, Header& header)
       {
         words >> countType >> type;
       }
-      const auto size = Sizes.find(type);
-      const auto countSize = Sizes.find(countType);
-      const bool isKnown = size != Sizes.end() && (countType.empty() || countSize != Sizes.end());
+      const auto size = PlySizes.find(type);
+      const auto countSize = PlySizes.find(countType);
+      const bool isKnown =
+        size != PlySizes.end() && (countType.empty() || countSize != PlySizes.end());
       if (!isKnown || header.Elements.empty())
       {
         return false;

@@ -165,7 +165,7 @@ private:
   std::vector<vtkSmartPointer<vtkPolyDataMapper>> Mappers; ///< By the number of the mesh.
 };
 
-void Read(const std::string& path, const ReadOptions& options, Scene& scene)
+void ReadByAssimp(const std::string& path, const ReadOptions& options, Scene& scene)
 {
   Assimp::Importer importer;
   const aiScene* read = importer.ReadFile(path,
@@ -197,7 +197,7 @@ std::vector<FileFormat> GetAssimpFormats()
       ".stp", ".vta", ".xml" };
     if (unfit.count(ending) == 0)
     {
-      formats.push_back({ ending, "by assimp", Read, isZ ? 2 : 1 });
+      formats.push_back({ ending, "by assimp", ReadByAssimp, isZ ? 2 : 1 });
     }
   }
   return formats;

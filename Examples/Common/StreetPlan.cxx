@@ -17,7 +17,7 @@ constexpr double Clearance = 0.45;     // metres from a wall, more than the near
 constexpr double LargestHouse = 400.0; // square metres
 constexpr double Step = 0.5;           // metres between points that are looked at
 
-PlanPoint ToMetres(const CityPoint& point)
+PlanPoint ToPlanPoint(const CityPoint& point)
 {
   return { CityMetresPerUnit * point.X, CityMetresPerUnit * point.Y };
 }
@@ -36,11 +36,11 @@ StreetPlan::StreetPlan(const City& city)
   for (std::size_t i = 0; i < city.Buildings.size(); ++i)
   {
     const CityRing& ring = city.Buildings[i].Rings.front();
-    PlanPoint low = ToMetres(ring.front());
+    PlanPoint low = ToPlanPoint(ring.front());
     PlanPoint high = low;
     for (const CityPoint& point : ring)
     {
-      const PlanPoint p = ToMetres(point);
+      const PlanPoint p = ToPlanPoint(point);
       low = glm::min(low, p);
       high = glm::max(high, p);
     }
@@ -75,7 +75,7 @@ StreetPlan::StreetPlan(const City& city)
       const auto [found, isNew] = nodeByPoint.emplace(key, static_cast<int>(this->Nodes.size()));
       if (isNew)
       {
-        this->Nodes.push_back(ToMetres(point));
+        this->Nodes.push_back(ToPlanPoint(point));
         this->Edges.emplace_back();
       }
       const int node = found->second;
@@ -108,8 +108,8 @@ bool StreetPlan::Contains(int building, const PlanPoint& point) const
   {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
     {
-      const PlanPoint a = ToMetres(ring[i]);
-      const PlanPoint b = ToMetres(ring[j]);
+      const PlanPoint a = ToPlanPoint(ring[i]);
+      const PlanPoint b = ToPlanPoint(ring[j]);
       if ((a.y > point.y) != (b.y > point.y) &&
         point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y))
       {

@@ -23,16 +23,16 @@ constexpr float Nothing = -3e38f;
 /// Of a position in single precision, in units of its distance from the eye.
 constexpr double PositionRounding = 0x1p-20;
 
-using Rows = std::array<glm::dvec4, 4>;
+using MatrixRows = std::array<glm::dvec4, 4>;
 
 /// Returns the matrix from positions relative to the eye to the litmap in [-w, w], depth 0.
-Rows GetEyeToLight(
+MatrixRows GetEyeToLight(
   const vtkShadowLightSpace& frame, const glm::dvec3& eye, const vtkShadowBlock& range)
 {
   const glm::dvec3 place = eye - frame.GetApex();
   const auto getRow = [&place](const glm::dvec3& axis)
   { return glm::dvec4(axis, glm::dot(place, axis)); };
-  Rows rows{};
+  MatrixRows rows{};
   rows[3] = frame.IsPositional() ? getRow(frame.GetAxis()) : glm::dvec4(0.0, 0.0, 0.0, 1.0);
   const glm::dvec3 axes[2] = { frame.GetU(), frame.GetV() };
   for (int i = 0; i < 2; ++i)
@@ -54,7 +54,7 @@ void Allocate(vtkNBufferGL::Texture& texture, GLint internalFormat, int width, i
 }
 
 template <typename T>
-void SetData(GLenum target, vtkNBufferGL::Buffer& buffer, const std::vector<T>& values)
+void SetStreamData(GLenum target, vtkNBufferGL::Buffer& buffer, const std::vector<T>& values)
 {
   glBindBuffer(target, buffer.Create());
   glBufferData(
@@ -112,8 +112,8 @@ bool RerenderedLitmap::Upload(
   int bound = 0;
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
   glBindVertexArray(this->Device.VertexArray.Create());
-  SetData(GL_ARRAY_BUFFER, this->Device.Vertices, this->Vertices);
-  SetData(GL_ELEMENT_ARRAY_BUFFER, this->Device.Indices, this->Indices);
+  SetStreamData(GL_ARRAY_BUFFER, this->Device.Vertices, this->Vertices);
+  SetStreamData(GL_ELEMENT_ARRAY_BUFFER, this->Device.Indices, this->Indices);
   glBindBuffer(GL_ARRAY_BUFFER, bound);
   return vtkNBufferGL::CheckErrors("Sending receivers to the device", why);
 }
@@ -176,7 +176,7 @@ bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightS
     {
       return false;
     }
-    const Rows eyeToLight = GetEyeToLight(frame, this->Eye, range);
+    const MatrixRows eyeToLight = GetEyeToLight(frame, this->Eye, range);
     vtkNBufferGL::SetMatrix(
       program, "eyeToLight", vtkNBufferGLM::ToMatrix(glm::value_ptr(eyeToLight[0])));
     vtkNBufferGL::SetMatrix(program, "eyeToClip", this->EyeToClip);

@@ -9,17 +9,17 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr const char* VerdictNames[] = { "Whole", "Boxed", "Clamped", "ThroughLightPlane",
+constexpr const char* ShadowVerdictNames[] = { "Whole", "Boxed", "Clamped", "ThroughLightPlane",
   "NoReceiver", "BeforeCaster", "BehindLight", "OutsideCone", "Empty" };
-static_assert(std::size(VerdictNames) == vtkShadowStatistics::NumberOfVerdicts);
+static_assert(std::size(ShadowVerdictNames) == vtkShadowStatistics::NumberOfVerdicts);
 
 constexpr const char* SkipNames[] = { "NotAnActor", "NotASurface", "Translucent",
   "NotAPlainMapper" };
 static_assert(std::size(SkipNames) == NumberOfShadowSkips);
 
-constexpr const char* DecisionNames[] = { "None", "Drawn", "Still", "NoLight", "NoCaster",
+constexpr const char* ShadowDecisionNames[] = { "None", "Drawn", "Still", "NoLight", "NoCaster",
   "NoReceiver", "Failed" };
-static_assert(std::size(DecisionNames) == int(vtkShadowDecision::NumberOfDecisions));
+static_assert(std::size(ShadowDecisionNames) == int(vtkShadowDecision::NumberOfDecisions));
 
 constexpr const char* StageNames[] = { "depth", "draw", "color" };
 static_assert(std::size(StageNames) == NumberOfShadowStages);
@@ -27,7 +27,7 @@ static_assert(std::size(StageNames) == NumberOfShadowStages);
 
 const char* vtkShadowStatistics::GetName(vtkShadowVerdict verdict)
 {
-  return vtkNBufferJSON::GetName(VerdictNames, verdict);
+  return vtkNBufferJSON::GetName(ShadowVerdictNames, verdict);
 }
 
 const char* vtkShadowStatistics::GetName(vtkShadowSkip reason)
@@ -37,7 +37,7 @@ const char* vtkShadowStatistics::GetName(vtkShadowSkip reason)
 
 const char* vtkShadowStatistics::GetName(vtkShadowDecision decision)
 {
-  return vtkNBufferJSON::GetName(DecisionNames, decision);
+  return vtkNBufferJSON::GetName(ShadowDecisionNames, decision);
 }
 
 const char* vtkShadowStatistics::GetName(vtkShadowStage stage)

@@ -7,7 +7,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr vtkNBufferNamedMember<vtkShadowTuning> Members[] = {
+constexpr vtkNBufferNamedMember<vtkShadowTuning> ShadowMembers[] = {
   { "LitmapResolution", &vtkShadowTuning::LitmapResolution, 1, 4096 },
   { "SlabGap", &vtkShadowTuning::SlabGap, 1, 64 },
   { "BoxCost", &vtkShadowTuning::BoxCost, 0, 1000000000 },
@@ -18,35 +18,35 @@ constexpr vtkNBufferNamedMember<vtkShadowTuning> Members[] = {
 
 std::vector<std::string> vtkShadowTuning::GetNames()
 {
-  return vtkNBufferNamedMembers::GetNames(Members);
+  return vtkNBufferNamedMembers::GetNames(ShadowMembers);
 }
 
 int vtkShadowTuning::Get(const std::string& name) const
 {
   const vtkNBufferNamedMember<vtkShadowTuning>* member =
-    vtkNBufferNamedMembers::Find(Members, name);
+    vtkNBufferNamedMembers::Find(ShadowMembers, name);
   return member ? member->Get(*this) : -1;
 }
 
 bool vtkShadowTuning::Set(const std::string& name, int value)
 {
-  return vtkNBufferNamedMembers::Set(Members, *this, name, value);
+  return vtkNBufferNamedMembers::Set(ShadowMembers, *this, name, value);
 }
 
 bool vtkShadowTuning::operator==(const vtkShadowTuning& other) const
 {
-  return vtkNBufferNamedMembers::AreEqual(Members, *this, other) &&
+  return vtkNBufferNamedMembers::AreEqual(ShadowMembers, *this, other) &&
     this->LitmapSource == other.LitmapSource;
 }
 
 std::string vtkShadowTuning::FindFault() const
 {
-  return vtkNBufferNamedMembers::FindFault(Members, *this);
+  return vtkNBufferNamedMembers::FindFault(ShadowMembers, *this);
 }
 
 void vtkShadowTuning::PrintSelf(ostream& os, vtkIndent indent) const
 {
-  vtkNBufferNamedMembers::Print(Members, *this, os, indent);
+  vtkNBufferNamedMembers::Print(ShadowMembers, *this, os, indent);
   os << indent << "LitmapSource: " << this->LitmapSource.get() << "\n";
 }
 

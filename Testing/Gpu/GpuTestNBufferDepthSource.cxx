@@ -38,7 +38,7 @@ std::vector<float> ReadFloats(int x, int y, int width, int height)
 template <typename Function>
 void ForEachTarget(int width, int height, Function&& function)
 {
-  for (const DepthFormat& format : GetDepthFormats())
+  for (const TargetFormat& format : GetTargetFormats())
   {
     for (const bool texture : { true, false })
     {
@@ -91,7 +91,7 @@ TEST_F(GpuTestNBufferDepthSource, WindowIsInspectedAndRead)
 TEST_F(GpuTestNBufferDepthSource, EveryFormatIsInspected)
 {
   ForEachTarget(21, 13,
-    [this](const DepthFormat& format, const DepthTarget& target, bool texture)
+    [this](const TargetFormat& format, const DepthTarget& target, bool texture)
     {
       target.Bind(3, 4, 10, 9);
       const vtkNBufferDepthSource source = this->Inspect();
@@ -114,7 +114,7 @@ TEST_F(GpuTestNBufferDepthSource, EveryFormatIsInspected)
 TEST_F(GpuTestNBufferDepthSource, EveryFormatIsReadAndRoundedAsPromised)
 {
   ForEachTarget(61, 47,
-    [this](const DepthFormat&, const DepthTarget& target, bool)
+    [this](const TargetFormat&, const DepthTarget& target, bool)
     {
       target.Fill(7);
       const vtkNBufferDepthSource source = this->Inspect();
@@ -141,7 +141,7 @@ TEST_F(GpuTestNBufferDepthSource, KnownIntegersAreReadWithinTheDerivedError)
   for (const int bits : { 16, 24 })
   {
     SCOPED_TRACE(bits);
-    const DepthTarget target(GetDepthFormats()[bits == 16 ? 0 : 1], side, side, true);
+    const DepthTarget target(GetTargetFormats()[bits == 16 ? 0 : 1], side, side, true);
     target.Bind(0, 0, side, side);
     const vtkNBufferDepthSource source = this->Inspect();
     if (source.DepthBits != bits)
@@ -178,7 +178,7 @@ TEST_F(GpuTestNBufferDepthSource, KnownIntegersAreReadWithinTheDerivedError)
 
 TEST_F(GpuTestNBufferDepthSource, ReadsWhatSamplersReturn)
 {
-  for (const DepthFormat& format : GetDepthFormats())
+  for (const TargetFormat& format : GetTargetFormats())
   {
     SCOPED_TRACE(format.Name);
     const DepthTarget target(format, 61, 47, true);
@@ -198,7 +198,7 @@ TEST_F(GpuTestNBufferDepthSource, ReadsWhatSamplersReturn)
 
 TEST_F(GpuTestNBufferDepthSource, ChangesNoState)
 {
-  const DepthTarget target(GetDepthFormats()[2], 20, 10, true);
+  const DepthTarget target(GetTargetFormats()[2], 20, 10, true);
   target.Fill(1);
   GLuint buffer = 0;
   glGenBuffers(1, &buffer);
@@ -217,7 +217,7 @@ TEST_F(GpuTestNBufferDepthSource, ChangesNoState)
 TEST_F(GpuTestNBufferDepthSource, SaysWhatIsStored)
 {
   using Stored = vtkNBufferStoredDepth;
-  const DepthTarget target(GetDepthFormats()[0], 4, 4, true);
+  const DepthTarget target(GetTargetFormats()[0], 4, 4, true);
   target.Bind(0, 0, 4, 4);
   const bool hasClipControl = vtkNBufferGL::HasFeature(4, 5, "GL_ARB_clip_control");
   const int before = vtkNBufferGL::GetInteger(GL_DEPTH_FUNC);
@@ -265,7 +265,7 @@ TEST_F(GpuTestNBufferDepthSource, SaysWhatIsStored)
 
 TEST_F(GpuTestNBufferDepthSource, RefusesRectanglesOutside)
 {
-  const DepthTarget target(GetDepthFormats()[0], 10, 8, true);
+  const DepthTarget target(GetTargetFormats()[0], 10, 8, true);
   target.Bind(0, 0, 10, 8);
   const vtkNBufferDepthSource source = this->Inspect();
   std::vector<float> depth;
@@ -282,7 +282,7 @@ TEST_F(GpuTestNBufferDepthSource, RefusesRectanglesOutside)
 
 TEST_F(GpuTestNBufferDepthSource, TellsWhetherItHoldsTheViewport)
 {
-  const DepthTarget target(GetDepthFormats()[0], 10, 7, true);
+  const DepthTarget target(GetTargetFormats()[0], 10, 7, true);
   const auto holds = [&](int x, int y, int width, int height)
   {
     target.Bind(x, y, width, height);
@@ -300,7 +300,7 @@ TEST_F(GpuTestNBufferDepthSource, TellsWhetherItHoldsTheViewport)
 
 TEST_F(GpuTestNBufferDepthSource, SamplesArePlacedAndNotRead)
 {
-  const DepthTarget target(GetDepthFormats()[1], 10, 8, true, 4);
+  const DepthTarget target(GetTargetFormats()[1], 10, 8, true, 4);
   if (target.GetSamples() < 2)
   {
     GTEST_SKIP() << "the driver offers no multisampled depth textures";

@@ -255,7 +255,7 @@ class GpuTestNBufferPrecisionFormats
 TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
 {
   const auto [index, stored] = GetParam();
-  const DepthFormat& format = GetDepthFormats()[index];
+  const TargetFormat& format = GetTargetFormats()[index];
   const DepthTarget target(format, Width, Height, true);
   if (!target.IsComplete())
   {
@@ -330,7 +330,7 @@ INSTANTIATE_TEST_SUITE_P(Each, GpuTestNBufferPrecisionFormats,
   [](const auto& info)
   {
     const bool isReversed = std::get<1>(info.param) == vtkNBufferStoredDepth::Reversed;
-    return std::string(GetDepthFormats()[std::get<0>(info.param)].Name) +
+    return std::string(GetTargetFormats()[std::get<0>(info.param)].Name) +
       (isReversed ? "Reversed" : "");
   });
 
@@ -364,7 +364,7 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
 TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
 {
   constexpr int count = 400;
-  const DepthTarget target(GetDepthFormats()[1], Width, Height, true);
+  const DepthTarget target(GetTargetFormats()[1], Width, Height, true);
   ASSERT_TRUE(target.IsComplete());
   target.Bind(0, 0, Width, Height);
   const vtkNBufferDepthSource source = this->Inspect();

@@ -196,7 +196,7 @@ protected:
   {
     SCOPED_TRACE(testing::Message()
       << width << " x " << height << ", factor " << factor << (both ? ", both extrema" : ""));
-    const DepthTarget target(GetDepthFormats()[3], width, height, true);
+    const DepthTarget target(GetTargetFormats()[3], width, height, true);
     target.Fill(static_cast<unsigned int>(width));
     target.Bind(0, 0, width, height);
     vtkNew<vtkNBufferTexture> texture;

@@ -14,8 +14,8 @@
 
 namespace
 {
-constexpr int Width = 37;
-constexpr int Height = 23;
+constexpr int ScissorWidth = 37;
+constexpr int ScissorHeight = 23;
 
 /// Colours all where drawing is allowed.
 void Draw(float grey)
@@ -48,9 +48,10 @@ TEST_F(GpuTestNBufferScissor, DrawsInRegionsAlone)
   for (const bool confined : { false, true })
   {
     // The scissor of whoever draws: none, or a box that cuts the regions.
-    const vtkNBufferRectangle outer =
-      confined ? vtkNBufferRectangle{ 8, 0, 24, 30 } : vtkNBufferRectangle{ 0, 0, Width, Height };
-    const ColorTarget target(Width, Height);
+    const vtkNBufferRectangle outer = confined
+      ? vtkNBufferRectangle{ 8, 0, 24, 30 }
+      : vtkNBufferRectangle{ 0, 0, ScissorWidth, ScissorHeight };
+    const ColorTarget target(ScissorWidth, ScissorHeight);
     glDisable(GL_SCISSOR_TEST);
     Draw(0.0f);
     glViewport(viewport.X0, viewport.Y0, viewport.GetWidth(), viewport.GetHeight());
@@ -73,7 +74,7 @@ TEST_F(GpuTestNBufferScissor, DrawsInRegionsAlone)
     EXPECT_EQ(calls, 4);
 
     std::vector<bool> expected;
-    for (const auto& [x, y] : Pixels(Width, Height))
+    for (const auto& [x, y] : Pixels(ScissorWidth, ScissorHeight))
     {
       const int inX = x - viewport.X0;
       const int inY = y - viewport.Y0;
@@ -88,9 +89,10 @@ TEST_F(GpuTestNBufferScissor, DrawsInRegionsAlone)
 
 TEST_F(GpuTestNBufferScissor, WithoutRegionsNothingIsConfined)
 {
-  const ColorTarget target(Width, Height);
+  const ColorTarget target(ScissorWidth, ScissorHeight);
   glDisable(GL_SCISSOR_TEST);
   Draw(0.0f);
   EXPECT_EQ(vtkNBufferGL::DrawIn({}, []() { Draw(1.0f); }), 1);
-  EXPECT_EQ(GetDrawn(target), std::vector<bool>(static_cast<std::size_t>(Width) * Height, true));
+  EXPECT_EQ(GetDrawn(target),
+    std::vector<bool>(static_cast<std::size_t>(ScissorWidth) * ScissorHeight, true));
 }

@@ -20,7 +20,6 @@ namespace
 constexpr int Factors[] = { 1, 2, 4, 8 };
 constexpr vtkNBufferExtremum Extrema[] = { vtkNBufferExtremum::Maximum,
   vtkNBufferExtremum::Minimum };
-constexpr int AllLevels = 99;
 
 class LevelsFixture : public WindowFixture
 {
@@ -103,8 +102,8 @@ TEST_P(GpuTestNBufferTextureSizes, EqualHost)
   // As VTK's windows have it, and what is sampled where it lies.
   for (const std::size_t format : { 2u, 3u })
   {
-    SCOPED_TRACE(GetDepthFormats()[format].Name);
-    const DepthTarget target(GetDepthFormats()[format], width, height, true);
+    SCOPED_TRACE(GetTargetFormats()[format].Name);
+    const DepthTarget target(GetTargetFormats()[format], width, height, true);
     ASSERT_TRUE(target.IsComplete());
     target.Fill(static_cast<unsigned int>(width));
     this->CompareWithRead(0, 0, width, height);
@@ -123,7 +122,7 @@ using GpuTestNBufferTextureRectangles = LevelsFixture;
 TEST_F(GpuTestNBufferTextureRectangles, AreThoseOfTheWholeLevel)
 {
   constexpr float untouched = -1.0f;
-  const DepthTarget target(GetDepthFormats()[3], 90, 70, true);
+  const DepthTarget target(GetTargetFormats()[3], 90, 70, true);
   target.Fill(3);
   const vtkNBufferDepthSource source = this->Inspect();
   float texel = untouched;
@@ -168,7 +167,7 @@ using GpuTestNBufferTextureFormats = LevelsWithParam<std::tuple<int, bool>>;
 TEST_P(GpuTestNBufferTextureFormats, EqualHost)
 {
   const auto [number, isTexture] = this->GetParam();
-  const DepthFormat& format = GetDepthFormats()[number];
+  const TargetFormat& format = GetTargetFormats()[number];
   // Renderbuffers cannot be sampled; a texture with the same depth can.
   const DepthTarget twin(format, 90, 70, true);
   twin.Fill(3);
@@ -191,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, GpuTestNBufferTextureFormats,
   ::testing::Combine(::testing::Range(0, 6), ::testing::Bool()),
   [](const auto& info)
   {
-    return std::string(GetDepthFormats()[std::get<0>(info.param)].Name) +
+    return std::string(GetTargetFormats()[std::get<0>(info.param)].Name) +
       (std::get<1>(info.param) ? "Texture" : "Renderbuffer");
   });
 
@@ -217,7 +216,7 @@ TEST_F(GpuTestNBufferTexture, WindowInAViewportEqualsHost)
 
 TEST_F(GpuTestNBufferTexture, FewerLevelsAreAPrefix)
 {
-  const DepthTarget target(GetDepthFormats()[3], 64, 40, true);
+  const DepthTarget target(GetTargetFormats()[3], 64, 40, true);
   target.Fill(5);
   const vtkNBufferDepthSource source = this->Inspect();
   const std::vector<float> depth = this->Read(source, { 0, 0, 64, 40 });
@@ -242,7 +241,7 @@ TEST_P(GpuTestNBufferTextureSamples, EveryFormatTakesTheExtremumOfAllSamples)
   constexpr int width = 37;
   constexpr int height = 22;
   int compared = 0;
-  for (const DepthFormat& format : GetDepthFormats())
+  for (const TargetFormat& format : GetTargetFormats())
   {
     SCOPED_TRACE(format.Name);
     const DepthTarget target(format, width, height, true, this->GetParam());
@@ -349,7 +348,7 @@ TEST_F(GpuTestNBufferTexture, MultisampledWindowIsNeverNearerThanItsSamples)
 
 TEST_F(GpuTestNBufferTexture, DeviceTimeArrives)
 {
-  const DepthTarget target(GetDepthFormats()[3], 256, 256, true);
+  const DepthTarget target(GetTargetFormats()[3], 256, 256, true);
   target.Fill(5);
   const vtkNBufferDepthSource source = this->Inspect();
   EXPECT_EQ(this->Texture->GetDeviceTime(), 0.0);

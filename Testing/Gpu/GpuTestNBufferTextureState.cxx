@@ -16,9 +16,8 @@
 
 namespace
 {
-constexpr int Width = 40;
-constexpr int Height = 26;
-constexpr int AllLevels = 99;
+constexpr int StateWidth = 40;
+constexpr int StateHeight = 26;
 constexpr auto Maximum = vtkNBufferExtremum::Maximum;
 }
 
@@ -27,7 +26,7 @@ class GpuTestNBufferTextureState : public WindowFixture
 protected:
   /// Build and download from the bound framebuffer and compare with the host. Both reduce what
   /// samplers return, which drivers round in other ways than glReadPixels() does.
-  void ExpectWorks(int width = Width, int height = Height)
+  void ExpectWorks(int width = StateWidth, int height = StateHeight)
   {
     const vtkNBufferDepthSource source = this->Inspect();
     std::vector<float> depth(static_cast<std::size_t>(width) * height);
@@ -55,8 +54,8 @@ protected:
   void ExpectFails(const vtkNBufferDepthSource& source, int x, int width, int factor, int levels,
     const std::string& word)
   {
-    EXPECT_FALSE(
-      this->Texture->Build(this->Window, source, x, 0, width, Height, factor, levels, Maximum));
+    EXPECT_FALSE(this->Texture->Build(
+      this->Window, source, x, 0, width, StateHeight, factor, levels, Maximum));
     EXPECT_NE(this->Texture->GetError().find(word), std::string::npos) << this->Texture->GetError();
     // The cause, then the remedy.
     EXPECT_NE(this->Texture->GetError().find(". "), std::string::npos);
@@ -77,7 +76,7 @@ TEST_F(GpuTestNBufferTextureState, IsPutBack)
   glGenTextures(1, &other);
   GLuint buffers[2] = { 0, 0 };
   glGenBuffers(2, buffers);
-  for (const DepthFormat& format : GetDepthFormats())
+  for (const TargetFormat& format : GetTargetFormats())
   {
     for (int kind = 0; kind < 3; ++kind)
     {
@@ -85,7 +84,7 @@ TEST_F(GpuTestNBufferTextureState, IsPutBack)
         (kind == 0      ? " texture"
             : kind == 1 ? " renderbuffer"
                         : " multisampled texture"));
-      const DepthTarget target(format, Width, Height, kind != 1, kind == 2 ? 4 : 0);
+      const DepthTarget target(format, StateWidth, StateHeight, kind != 1, kind == 2 ? 4 : 0);
       if (!target.IsComplete())
       {
         continue;
@@ -100,9 +99,9 @@ TEST_F(GpuTestNBufferTextureState, IsPutBack)
       }
       else if (kind != 2 && source.DepthBits != 24)
       {
-        expected = this->Read(source, { 0, 0, Width, Height });
+        expected = this->Read(source, { 0, 0, StateWidth, StateHeight });
       }
-      target.Bind(0, 0, Width, Height);
+      target.Bind(0, 0, StateWidth, StateHeight);
       glActiveTexture(GL_TEXTURE0);
       glBindTexture(GL_TEXTURE_2D_ARRAY, other);
       glActiveTexture(GL_TEXTURE3);
@@ -113,8 +112,8 @@ TEST_F(GpuTestNBufferTextureState, IsPutBack)
       glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
 
       const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-      EXPECT_TRUE(
-        this->Texture->Build(this->Window, source, 0, 0, Width, Height, 2, AllLevels, Maximum))
+      EXPECT_TRUE(this->Texture->Build(
+        this->Window, source, 0, 0, StateWidth, StateHeight, 2, AllLevels, Maximum))
         << this->Texture->GetError();
       EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
       vtkNBufferLevels levels;
@@ -127,7 +126,8 @@ TEST_F(GpuTestNBufferTextureState, IsPutBack)
       // The spoilt state reached no pass.
       if (!expected.empty())
       {
-        EXPECT_EQ(FindDifference(BuildOnHost(expected, Width, Height, 2, Maximum), levels), "");
+        EXPECT_EQ(
+          FindDifference(BuildOnHost(expected, StateWidth, StateHeight, 2, Maximum), levels), "");
       }
     }
   }
@@ -163,7 +163,7 @@ TEST_F(GpuTestNBufferTextureState, IsPutBackAmidARendering)
 
 TEST_F(GpuTestNBufferTextureState, DepthTextureKeepsItsParameters)
 {
-  const DepthTarget target(GetDepthFormats()[4], Width, Height, true);
+  const DepthTarget target(GetTargetFormats()[4], StateWidth, StateHeight, true);
   target.Fill(2);
   const vtkNBufferDepthSource source = this->Inspect();
   const GLenum names[] = { GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC, GL_TEXTURE_MIN_FILTER,
@@ -181,42 +181,45 @@ TEST_F(GpuTestNBufferTextureState, DepthTextureKeepsItsParameters)
     return text.str();
   };
   const std::string before = getParameters();
-  ASSERT_TRUE(
-    this->Texture->Build(this->Window, source, 0, 0, Width, Height, 4, AllLevels, Maximum));
+  ASSERT_TRUE(this->Texture->Build(
+    this->Window, source, 0, 0, StateWidth, StateHeight, 4, AllLevels, Maximum));
   EXPECT_EQ(getParameters(), before);
 }
 
 TEST_F(GpuTestNBufferTextureState, TexelsOutsideAreUntouched)
 {
   const float sentinel = 0.4375f;
-  const DepthTarget target(GetDepthFormats()[3], Width, Height, true);
+  const DepthTarget target(GetTargetFormats()[3], StateWidth, StateHeight, true);
   target.Fill(2);
   const vtkNBufferDepthSource source = this->Inspect();
   // Room for much more than is drawn next.
-  ASSERT_TRUE(this->Texture->Build(this->Window, source, 0, 0, Width, Height, 1, 5, Maximum));
+  ASSERT_TRUE(
+    this->Texture->Build(this->Window, source, 0, 0, StateWidth, StateHeight, 1, 5, Maximum));
   const unsigned int arrays[2] = { this->Texture->GetHandle(0), this->Texture->GetHandle(1) };
   EXPECT_NE(arrays[0], arrays[1]);
   for (int i = 0; i < 2; ++i)
   {
     const int layers = i == 0 ? 3 : 2;
-    const std::vector<float> fill(static_cast<std::size_t>(Width) * Height * layers, sentinel);
+    const std::vector<float> fill(
+      static_cast<std::size_t>(StateWidth) * StateHeight * layers, sentinel);
     glBindTexture(GL_TEXTURE_2D_ARRAY, arrays[i]);
-    glTexSubImage3D(
-      GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, Width, Height, layers, GL_RED, GL_FLOAT, fill.data());
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, StateWidth, StateHeight, layers, GL_RED,
+      GL_FLOAT, fill.data());
   }
   ASSERT_TRUE(this->Texture->Build(this->Window, source, 3, 3, 20, 15, 1, 2, Maximum));
   for (int i = 0; i < 2; ++i)
   {
     ASSERT_EQ(this->Texture->GetHandle(i), arrays[i]) << "allocated again";
     const int layers = i == 0 ? 3 : 2;
-    std::vector<float> texels(static_cast<std::size_t>(Width) * Height * layers);
+    std::vector<float> texels(static_cast<std::size_t>(StateWidth) * StateHeight * layers);
     glBindTexture(GL_TEXTURE_2D_ARRAY, arrays[i]);
     glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, GL_RED, GL_FLOAT, texels.data());
     // The layers one above the other.
-    for (const auto& [x, y] : Pixels(Width, Height * layers))
+    for (const auto& [x, y] : Pixels(StateWidth, StateHeight * layers))
     {
-      ASSERT_EQ(texels[static_cast<std::size_t>(y) * Width + x] != sentinel, x < 20 && y < 15)
-        << "array " << i << " layer " << y / Height << " texel (" << x << ", " << y % Height << ")";
+      ASSERT_EQ(texels[static_cast<std::size_t>(y) * StateWidth + x] != sentinel, x < 20 && y < 15)
+        << "array " << i << " layer " << y / StateHeight << " texel (" << x << ", "
+        << y % StateHeight << ")";
     }
   }
 }
@@ -227,7 +230,7 @@ TEST_F(GpuTestNBufferTextureState, NothingIsAllocatedTwice)
   {
     for (const bool texture : { true, false })
     {
-      const DepthTarget target(GetDepthFormats()[format], Width, Height, texture);
+      const DepthTarget target(GetTargetFormats()[format], StateWidth, StateHeight, texture);
       target.Fill(2);
       this->ExpectWorks();
       const int allocations = this->Texture->GetNumberOfAllocations();
@@ -235,7 +238,7 @@ TEST_F(GpuTestNBufferTextureState, NothingIsAllocatedTwice)
       const int downloads = this->Texture->GetNumberOfDownloads();
       this->ExpectWorks();
       EXPECT_EQ(this->Texture->GetNumberOfDownloads(), downloads + 1);
-      this->ExpectWorks(Width - 7, Height - 10);
+      this->ExpectWorks(StateWidth - 7, StateHeight - 10);
       this->ExpectWorks();
       EXPECT_EQ(this->Texture->GetNumberOfAllocations(), allocations);
     }
@@ -244,42 +247,42 @@ TEST_F(GpuTestNBufferTextureState, NothingIsAllocatedTwice)
 
 TEST_F(GpuTestNBufferTextureState, FailuresSayWhyAndLeaveNothing)
 {
-  const DepthTarget target(GetDepthFormats()[3], Width, Height, true);
+  const DepthTarget target(GetTargetFormats()[3], StateWidth, StateHeight, true);
   target.Fill(2);
   this->ExpectWorks();
   const vtkNBufferDepthSource source = this->Inspect();
-  this->ExpectFails(vtkNBufferDepthSource(), 0, Width, 2, 3, "no depth buffer");
-  this->ExpectFails(source, 0, Width, 3, 3, "factor is 3");
-  this->ExpectFails(source, 0, Width, 0, 3, "factor is 0");
-  this->ExpectFails(source, 0, Width, 2, 0, "No level");
-  this->ExpectFails(source, 1, Width, 2, 3, "outside");
+  this->ExpectFails(vtkNBufferDepthSource(), 0, StateWidth, 2, 3, "no depth buffer");
+  this->ExpectFails(source, 0, StateWidth, 3, 3, "factor is 3");
+  this->ExpectFails(source, 0, StateWidth, 0, 3, "factor is 0");
+  this->ExpectFails(source, 0, StateWidth, 2, 0, "No level");
+  this->ExpectFails(source, 1, StateWidth, 2, 3, "outside");
   this->ExpectFails(source, 0, 0, 2, 3, "empty");
   this->Texture->SetAllowFloatTextures(false);
-  this->ExpectFails(source, 0, Width, 2, 3, "Float textures");
+  this->ExpectFails(source, 0, StateWidth, 2, 3, "Float textures");
   this->Texture->SetAllowFloatTextures(true);
   this->ExpectWorks();
 
   vtkNBufferDepthSource renderbuffer = source;
   renderbuffer.Samples = 4;
   renderbuffer.Texture = false;
-  this->ExpectFails(renderbuffer, 0, Width, 2, 3, "Multisampled");
+  this->ExpectFails(renderbuffer, 0, StateWidth, 2, 3, "Multisampled");
 }
 
 TEST_F(GpuTestNBufferTextureState, MultisampledRenderbufferIsRefused)
 {
-  const DepthTarget target(GetDepthFormats()[3], Width, Height, false, 4);
+  const DepthTarget target(GetTargetFormats()[3], StateWidth, StateHeight, false, 4);
   if (target.GetSamples() < 2)
   {
     GTEST_SKIP() << "the driver offers no multisampled depth renderbuffers";
   }
   target.Fill(2);
-  this->ExpectFails(this->Inspect(), 0, Width, 2, 3, "Multisampled");
+  this->ExpectFails(this->Inspect(), 0, StateWidth, 2, 3, "Multisampled");
 }
 
 TEST_F(GpuTestNBufferTextureState, SurvivesALostContext)
 {
   {
-    const DepthTarget target(GetDepthFormats()[2], Width, Height, true);
+    const DepthTarget target(GetTargetFormats()[2], StateWidth, StateHeight, true);
     target.Fill(2);
     this->ExpectWorks();
   }
@@ -288,14 +291,14 @@ TEST_F(GpuTestNBufferTextureState, SurvivesALostContext)
   EXPECT_EQ(this->Texture->GetHandle(0), 0u);
   this->Window->Render();
   this->Window->MakeCurrent();
-  const DepthTarget target(GetDepthFormats()[2], Width, Height, true);
+  const DepthTarget target(GetTargetFormats()[2], StateWidth, StateHeight, true);
   target.Fill(2);
   this->ExpectWorks();
 }
 
 TEST_F(GpuTestNBufferTextureState, IsReleasedByHand)
 {
-  const DepthTarget target(GetDepthFormats()[2], Width, Height, true);
+  const DepthTarget target(GetTargetFormats()[2], StateWidth, StateHeight, true);
   target.Fill(2);
   this->Texture->ReleaseGraphicsResources(this->Window);
   this->ExpectWorks();
@@ -315,7 +318,7 @@ TEST_F(GpuTestNBufferTextureState, MovesBetweenWindows)
   for (int turn = 0; turn < 4; ++turn)
   {
     this->Window->MakeCurrent();
-    const DepthTarget target(GetDepthFormats()[3], Width, Height, true);
+    const DepthTarget target(GetTargetFormats()[3], StateWidth, StateHeight, true);
     target.Fill(2);
     this->ExpectWorks();
     vtkNBufferLevels levels;
@@ -328,7 +331,7 @@ TEST_F(GpuTestNBufferTextureState, MovesBetweenWindows)
 TEST_F(GpuTestNBufferTextureState, OutlivesItsWindow)
 {
   {
-    const DepthTarget target(GetDepthFormats()[3], Width, Height, true);
+    const DepthTarget target(GetTargetFormats()[3], StateWidth, StateHeight, true);
     target.Fill(2);
     this->ExpectWorks();
   }

@@ -15,8 +15,8 @@
 
 namespace
 {
-constexpr int Width = 16;
-constexpr int Height = 12;
+constexpr int LitmapWidth = 16;
+constexpr int LitmapHeight = 12;
 constexpr int Resolution = 32;
 const glm::dvec3 Eye(100.0, 200.0, 300.0);
 
@@ -27,8 +27,8 @@ vtkShadowView MakeView()
   const double clipToWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, -0.5, 0, 0, 0, 1 };
   view.ClipToWorld = vtkNBufferGLM::ToMatrix(clipToWorld);
   view.Origin = Eye;
-  view.Width = Width;
-  view.Height = Height;
+  view.Width = LitmapWidth;
+  view.Height = LitmapHeight;
   return view;
 }
 
@@ -88,9 +88,9 @@ protected:
   static std::vector<float> MakeDepth(float left, float right)
   {
     std::vector<float> depth;
-    for (int i = 0; i < Width * Height; ++i)
+    for (int i = 0; i < LitmapWidth * LitmapHeight; ++i)
     {
-      depth.push_back(i % Width < Width / 2 ? left : right);
+      depth.push_back(i % LitmapWidth < LitmapWidth / 2 ? left : right);
     }
     return depth;
   }
@@ -132,8 +132,8 @@ TEST_F(GpuTestRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
         const glm::dvec3 x = ToWorld(frame, pqs);
         const double u = x[0] - Eye[0];
         const double v = x[1] - Eye[1];
-        const double column = 0.5 * (u + 1.0) * Width;
-        const double row = 0.5 * (v + 1.0) * Height;
+        const double column = 0.5 * (u + 1.0) * LitmapWidth;
+        const double row = 0.5 * (v + 1.0) * LitmapHeight;
         // Rounding decides.
         close = close || std::abs(column - std::round(column)) < 1e-3 ||
           std::abs(row - std::round(row)) < 1e-3;
@@ -180,10 +180,10 @@ TEST_F(GpuTestRerenderedLitmap, MissesWhatScatteringFinds)
   scattered.Build();
   const vtkShadowExtent seen = rerendered.Query(NAN, 0.0, 0.0, 0.0);
   const vtkShadowExtent all = scattered.Query(NAN, 0.0, 0.0, 0.0);
-  EXPECT_EQ(all.X1, Width);
-  EXPECT_EQ(seen.X1, Width / 2) << "the right side lies behind the depth";
+  EXPECT_EQ(all.X1, LitmapWidth);
+  EXPECT_EQ(seen.X1, LitmapWidth / 2) << "the right side lies behind the depth";
   EXPECT_NEAR(seen.Far, 0.25 - Eye[2], 1e-4);
-  const double quarterOfAPixel = 0.25 * 2.0 / std::min(Width, Height);
+  const double quarterOfAPixel = 0.25 * 2.0 / std::min(LitmapWidth, LitmapHeight);
   EXPECT_NEAR(all.Far, 0.75 - Eye[2] + quarterOfAPixel, 1e-3);
 
   // Seen edge-on by the light it has no fragment.

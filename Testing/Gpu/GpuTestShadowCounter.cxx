@@ -14,9 +14,9 @@
 
 namespace
 {
-constexpr int Width = 40;
-constexpr int Height = 30;
-constexpr int Viewport[4] = { 7, 5, 21, 15 };
+constexpr int CounterWidth = 40;
+constexpr int CounterHeight = 30;
+constexpr int CounterViewport[4] = { 7, 5, 21, 15 };
 constexpr unsigned char Sentinel = 0x55;
 const vtkShadowTarget::SamplePlaces Centre = { { { 0.5, 0.5 } } };
 
@@ -24,7 +24,7 @@ const vtkShadowTarget::SamplePlaces Centre = { { { 0.5, 0.5 } } };
 constexpr float Depths[] = { 0.2f, 0.5f, 0.8f };
 int GetColumn(int x)
 {
-  return 3 * x / Viewport[2];
+  return 3 * x / CounterViewport[2];
 }
 }
 
@@ -42,7 +42,8 @@ protected:
 
   void Reserve()
   {
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, Centre, this->Why))
+    ASSERT_TRUE(
+      this->Target.Reserve(this->Window, CounterWidth, CounterHeight, 2, Centre, this->Why))
       << this->Why;
     this->Fill();
   }
@@ -72,7 +73,10 @@ protected:
   }
 
   /// Whether the receiver of a pixel of the viewport is in the volume.
-  static bool IsShadowed(int x, int y) { return IsInVolume(x, y, Viewport) && GetColumn(x) == 1; }
+  static bool IsShadowed(int x, int y)
+  {
+    return IsInVolume(x, y, CounterViewport) && GetColumn(x) == 1;
+  }
 
   /// Sentinels everywhere, and the receivers' depths in the viewport.
   void Fill() const
@@ -93,7 +97,7 @@ protected:
     glEnable(GL_SCISSOR_TEST);
     for (int column = 0; column < 3; ++column)
     {
-      glScissor(Viewport[0] + 7 * column, Viewport[1], 7, Viewport[3]);
+      glScissor(CounterViewport[0] + 7 * column, CounterViewport[1], 7, CounterViewport[3]);
       glClearBufferfv(GL_DEPTH, 0, &Depths[column]);
     }
     glDisable(GL_SCISSOR_TEST);
@@ -103,11 +107,11 @@ protected:
   template <typename T>
   static std::vector<T> Read(unsigned int framebuffer, GLenum format, GLenum type, int channels)
   {
-    std::vector<T> result(static_cast<std::size_t>(Width) * Height * channels);
+    std::vector<T> result(static_cast<std::size_t>(CounterWidth) * CounterHeight * channels);
     UnspoilGLState();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-    glReadPixels(0, 0, Width, Height, format, type, result.data());
+    glReadPixels(0, 0, CounterWidth, CounterHeight, format, type, result.data());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     return result;
@@ -132,12 +136,12 @@ protected:
   static void ExpectPixels(const std::vector<unsigned char>& pixels, int channels, int channel,
     const std::function<int(int, int)>& expected)
   {
-    for (const auto& [x, y] : Pixels(Width, Height))
+    for (const auto& [x, y] : Pixels(CounterWidth, CounterHeight))
     {
-      const int inX = x - Viewport[0];
-      const int inY = y - Viewport[1];
-      const bool inside = IsIn(inX, inY, { 0, 0, Viewport[2], Viewport[3] });
-      ASSERT_EQ(static_cast<int>(pixels[channels * (y * Width + x) + channel]),
+      const int inX = x - CounterViewport[0];
+      const int inY = y - CounterViewport[1];
+      const bool inside = IsIn(inX, inY, { 0, 0, CounterViewport[2], CounterViewport[3] });
+      ASSERT_EQ(static_cast<int>(pixels[channels * (y * CounterWidth + x) + channel]),
         inside ? expected(inX, inY) : Sentinel)
         << "at (" << x << ", " << y << ")";
     }
@@ -145,25 +149,25 @@ protected:
 
   static vtkShadowDraw MakeDraw(const vtkShadowVolumeStore& volume, bool zPass)
   {
-    return ShadowFixture::MakeDraw(volume, Viewport, zPass);
+    return ShadowFixture::MakeDraw(volume, CounterViewport, zPass);
   }
 
   void Count(const vtkShadowVolumeStore& volume, const std::vector<vtkShadowDraw>& draws,
     long long* fragments = nullptr)
   {
     ASSERT_TRUE(this->Volume.Upload(volume, this->Why)) << this->Why;
-    const vtkShadowCounter::Scope scope(this->Window, Viewport);
-    this->Counter.ClearStencil(this->Target, Viewport);
-    ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume, MakeView(Viewport),
-      draws.data(), draws.data() + draws.size(), fragments, this->Why))
+    const vtkShadowCounter::Scope scope(this->Window, CounterViewport);
+    this->Counter.ClearStencil(this->Target, CounterViewport);
+    ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume,
+      MakeView(CounterViewport), draws.data(), draws.data() + draws.size(), fragments, this->Why))
       << this->Why;
   }
 
   void Resolve(int mask, int channel)
   {
-    const vtkShadowCounter::Scope scope(this->Window, Viewport);
+    const vtkShadowCounter::Scope scope(this->Window, CounterViewport);
     ASSERT_TRUE(
-      this->Counter.Resolve(this->Window, this->Target, mask, channel, Viewport, this->Why))
+      this->Counter.Resolve(this->Window, this->Target, mask, channel, CounterViewport, this->Why))
       << this->Why;
   }
 
@@ -173,16 +177,17 @@ protected:
 TEST_F(GpuTestShadowCounter, TargetsGrowAndKeepBindings)
 {
   const int allocations = this->Target.GetNumberOfAllocations();
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, 1, 1, Centre, this->Why));
+  ASSERT_TRUE(this->Target.Reserve(this->Window, CounterWidth, 1, 1, Centre, this->Why));
   EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations);
-  EXPECT_EQ(this->Target.GetHeight(), Height);
+  EXPECT_EQ(this->Target.GetHeight(), CounterHeight);
   EXPECT_EQ(this->Target.GetNumberOfMasks(), 2);
   const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 3, Centre, this->Why));
+  ASSERT_TRUE(
+    this->Target.Reserve(this->Window, CounterWidth, CounterHeight, 3, Centre, this->Why));
   EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations + 1);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, 1, Height + 5, 1, Centre, this->Why));
-  EXPECT_EQ(this->Target.GetWidth(), Width);
-  EXPECT_EQ(this->Target.GetHeight(), Height + 5);
+  ASSERT_TRUE(this->Target.Reserve(this->Window, 1, CounterHeight + 5, 1, Centre, this->Why));
+  EXPECT_EQ(this->Target.GetWidth(), CounterWidth);
+  EXPECT_EQ(this->Target.GetHeight(), CounterHeight + 5);
   EXPECT_EQ(this->Target.GetNumberOfMasks(), 3);
   EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations + 5) << "depth and three masks";
   // VTK's own textures stay bound to the unit in which they were allocated.
@@ -208,16 +213,17 @@ TEST_F(GpuTestShadowCounter, TooLargeTargetsAreRefused)
   EXPECT_FALSE(this->Target.Reserve(this->Window, 2 * maximum, 1, 1, Centre, this->Why));
   EXPECT_NE(this->Why, "");
   EXPECT_EQ(this->Target.GetDepthFramebuffer(), 0u);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, Centre, this->Why)) << this->Why;
+  ASSERT_TRUE(this->Target.Reserve(this->Window, CounterWidth, CounterHeight, 1, Centre, this->Why))
+    << this->Why;
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST_F(GpuTestShadowCounter, ClearsTheViewportOnly)
 {
   {
-    const vtkShadowCounter::Scope scope(this->Window, Viewport);
-    this->Counter.ClearMask(this->Target, 1, Viewport);
-    this->Counter.ClearStencil(this->Target, Viewport);
+    const vtkShadowCounter::Scope scope(this->Window, CounterViewport);
+    this->Counter.ClearMask(this->Target, 1, CounterViewport);
+    this->Counter.ClearStencil(this->Target, CounterViewport);
   }
   this->ExpectStencil([](int, int) { return 0; });
   for (int channel = 0; channel < 4; ++channel)
@@ -267,9 +273,9 @@ TEST_F(GpuTestShadowCounter, FragmentsAreThoseOfAllFaces)
   long long fragments = 5;
   ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, false) }, &fragments));
   int covered = 0;
-  for (const auto& [x, y] : Pixels(Viewport[2], Viewport[3]))
+  for (const auto& [x, y] : Pixels(CounterViewport[2], CounterViewport[3]))
   {
-    covered += IsInVolume(x, y, Viewport);
+    covered += IsInVolume(x, y, CounterViewport);
   }
   // The front and the back; all others are seen edge-on.
   EXPECT_EQ(fragments, 5 + 2 * covered);
@@ -320,8 +326,8 @@ TEST_F(GpuTestShadowCounter, StateIsSetAndRestored)
     }
     const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
     {
-      const vtkShadowCounter::Scope scope(this->Window, Viewport);
-      this->Counter.ClearMask(this->Target, 0, Viewport);
+      const vtkShadowCounter::Scope scope(this->Window, CounterViewport);
+      this->Counter.ClearMask(this->Target, 0, CounterViewport);
     }
     ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, false) }));
     ASSERT_NO_FATAL_FAILURE(this->Resolve(0, 2));
@@ -374,12 +380,12 @@ TEST_F(GpuTestShadowCounter, VolumesAreExactFarFromTheOrigin)
       MakeBlock(eye + size * glm::dvec3(-0.9, -0.3, -0.2), eye + size * glm::dvec3(-0.7, 0.3, 0.2)),
       { 1.0, 0.0, 0.0 }, { eye.x - 0.5 * size, eye.x + 0.5 * size });
     ASSERT_TRUE(this->Volume.Upload(store, this->Why)) << this->Why;
-    vtkShadowDrawList::View view = MakeView(Viewport);
+    vtkShadowDrawList::View view = MakeView(CounterViewport);
     view.Eye = eye;
     view.EyeToClip = glm::scale(view.EyeToClip, glm::dvec3(1.0 / size));
     const vtkShadowDraw draw = MakeDraw(store, true);
-    const vtkShadowCounter::Scope scope(this->Window, Viewport);
-    this->Counter.ClearStencil(this->Target, Viewport);
+    const vtkShadowCounter::Scope scope(this->Window, CounterViewport);
+    this->Counter.ClearStencil(this->Target, CounterViewport);
     ASSERT_TRUE(this->Counter.Count(
       this->Window, this->Target, this->Volume, view, &draw, &draw + 1, nullptr, this->Why));
     this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 1 : 0; });

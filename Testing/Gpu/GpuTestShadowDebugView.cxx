@@ -15,7 +15,7 @@
 
 namespace
 {
-constexpr int Viewport[4] = { 7, 5, 21, 15 };
+constexpr int DebugViewport[4] = { 7, 5, 21, 15 };
 constexpr vtkShadowPicture Pictures[] = { vtkShadowPicture::Litmaps, vtkShadowPicture::Extents,
   vtkShadowPicture::Volumes, vtkShadowPicture::Counts };
 }
@@ -37,7 +37,7 @@ protected:
       const vtkShadowVolumeStore volume = MakeVolume(
         MakeBlock({ -0.5, -0.3, 0.4 }, { 0.5, 0.3, 0.5 }), { 0.0, 0.0, -1.0 }, { -0.2, 0.2 });
       ASSERT_TRUE(this->Volume.Upload(volume, this->Why)) << this->Why;
-      this->Draws = { MakeDraw(volume, Viewport) };
+      this->Draws = { MakeDraw(volume, DebugViewport) };
     }
   }
 
@@ -52,9 +52,9 @@ protected:
 
   void Make(vtkShadowPicture picture)
   {
-    const vtkShadowDrawList::View view = MakeView(Viewport);
+    const vtkShadowDrawList::View view = MakeView(DebugViewport);
     const vtkShadowDebugView::Subject subject = { nullptr, 0, this->Volume, this->Draws, view };
-    const vtkShadowCounter::Scope scope(this->Window, Viewport);
+    const vtkShadowCounter::Scope scope(this->Window, DebugViewport);
     ASSERT_TRUE(
       this->View.Make(this->Window, picture, subject, this->Counter, this->Statistics, this->Why))
       << this->Why;
@@ -71,13 +71,13 @@ TEST_F(GpuTestShadowDebugView, CountsAreThoseOfFragments)
 {
   this->Draws[0].Box.X0 = 8;
   ASSERT_NO_FATAL_FAILURE(this->Make(vtkShadowPicture::Counts));
-  ASSERT_EQ(this->View.GetWidth(), Viewport[2]);
-  ASSERT_EQ(this->View.GetHeight(), Viewport[3]);
-  for (const auto& [x, y] : Pixels(Viewport[2], Viewport[3]))
+  ASSERT_EQ(this->View.GetWidth(), DebugViewport[2]);
+  ASSERT_EQ(this->View.GetHeight(), DebugViewport[3]);
+  for (const auto& [x, y] : Pixels(DebugViewport[2], DebugViewport[3]))
   {
     vtkShadowDebugImage::Color color;
-    std::copy_n(this->View.GetImage().begin() + 4 * (y * Viewport[2] + x), 4, color.begin());
-    const bool counted = IsInVolume(x, y, Viewport) && x >= 8;
+    std::copy_n(this->View.GetImage().begin() + 4 * (y * DebugViewport[2] + x), 4, color.begin());
+    const bool counted = IsInVolume(x, y, DebugViewport) && x >= 8;
     EXPECT_EQ(color, vtkShadowDebugImage::GetHeat(counted ? 2 : 0)) << x << ", " << y;
   }
 }
@@ -96,7 +96,7 @@ TEST_F(GpuTestShadowDebugView, EdgesTellZPassFromZFail)
       EXPECT_TRUE(pixel[3] == 0 || (pixel[2] > pixel[0]) == zPass);
     }
     EXPECT_GT(edges, 20);
-    EXPECT_LT(edges, Viewport[2] * Viewport[3] / 2);
+    EXPECT_LT(edges, DebugViewport[2] * DebugViewport[3] / 2);
   }
 }
 
@@ -120,10 +120,10 @@ TEST_F(GpuTestShadowDebugView, IsShownWhereItIsNotTransparent)
   for (const auto& [x, y] : Pixels(40, 30))
   {
     const unsigned char* pixel = pixels.data() + 4 * (40 * y + x);
-    const int inX = x - Viewport[0];
-    const int inY = y - Viewport[1];
-    const bool shown =
-      IsIn(inX, inY, { 0, 0, Viewport[2], Viewport[3] }) && IsInVolume(inX, inY, Viewport);
+    const int inX = x - DebugViewport[0];
+    const int inY = y - DebugViewport[1];
+    const bool shown = IsIn(inX, inY, { 0, 0, DebugViewport[2], DebugViewport[3] }) &&
+      IsInVolume(inX, inY, DebugViewport);
     for (int i = 0; i < 3; ++i)
     {
       const double opacity = heat[3] / 255.0;

@@ -14,15 +14,15 @@
 
 namespace
 {
-constexpr int Width = 37;
-constexpr int Height = 29;
-constexpr int Viewport[4] = { 5, 3, 23, 17 };
+constexpr int SamplesWidth = 37;
+constexpr int SamplesHeight = 29;
+constexpr int SamplesViewport[4] = { 5, 3, 23, 17 };
 
-const DepthFormat& GetFormat()
+const TargetFormat& GetFormat()
 {
-  const std::vector<DepthFormat>& formats = GetDepthFormats();
+  const std::vector<TargetFormat>& formats = GetTargetFormats();
   return *std::find_if(formats.begin(), formats.end(),
-    [](const DepthFormat& format) { return std::string(format.Name) == "Depth24Stencil8"; });
+    [](const TargetFormat& format) { return std::string(format.Name) == "Depth24Stencil8"; });
 }
 }
 
@@ -55,14 +55,14 @@ protected:
     int last = 1;
     for (const int count : { 2, 4, 8, 16 })
     {
-      const DepthTarget target(GetFormat(), Width, Height, true, count);
+      const DepthTarget target(GetFormat(), SamplesWidth, SamplesHeight, true, count);
       if (!target.IsComplete() || target.GetSamples() == last)
       {
         continue;
       }
       last = target.GetSamples();
       SCOPED_TRACE(std::to_string(last) + " samples");
-      target.Bind(Viewport[0], Viewport[1], Viewport[2], Viewport[3]);
+      target.Bind(SamplesViewport[0], SamplesViewport[1], SamplesViewport[2], SamplesViewport[3]);
       const vtkShadowTarget::SamplePlaces places = vtkNBufferGL::GetSamplePlaces();
       ASSERT_EQ(static_cast<int>(places.size()), last);
       function(target, places);
@@ -90,16 +90,17 @@ TEST_F(GpuTestShadowSamples, ReaderReadsWhatSamplersReturn)
     [&](const DepthTarget& depth, const vtkShadowTarget::SamplePlaces& places)
     {
       depth.Fill(7);
-      depth.Bind(Viewport[0], Viewport[1], Viewport[2], Viewport[3]);
+      depth.Bind(SamplesViewport[0], SamplesViewport[1], SamplesViewport[2], SamplesViewport[3]);
       const vtkNBufferDepthSource source = this->Inspect();
       for (int sample = 0; sample < static_cast<int>(places.size()); ++sample)
       {
-        const std::vector<float> read = this->ReadSample(source.DepthName, sample, 0, Viewport);
+        const std::vector<float> read =
+          this->ReadSample(source.DepthName, sample, 0, SamplesViewport);
         const std::vector<float> expected = depth.Fetch(sample);
-        for (const auto& [x, y] : Pixels(Viewport[2], Viewport[3]))
+        for (const auto& [x, y] : Pixels(SamplesViewport[2], SamplesViewport[3]))
         {
-          ASSERT_EQ(
-            read[y * Viewport[2] + x], expected[(y + Viewport[1]) * Width + x + Viewport[0]])
+          ASSERT_EQ(read[y * SamplesViewport[2] + x],
+            expected[(y + SamplesViewport[1]) * SamplesWidth + x + SamplesViewport[0]])
             << "sample " << sample << " at (" << x << ", " << y << ")";
         }
       }
@@ -112,12 +113,12 @@ TEST_F(GpuTestShadowSamples, ReaderKeepsTheState)
     [&](const DepthTarget& depth, const vtkShadowTarget::SamplePlaces&)
     {
       depth.Fill(3);
-      depth.Bind(0, 0, Width, Height);
+      depth.Bind(0, 0, SamplesWidth, SamplesHeight);
       const vtkNBufferDepthSource source = this->Inspect();
-      const std::vector<float> plain = this->ReadSample(source.DepthName, 1, 0, Viewport);
+      const std::vector<float> plain = this->ReadSample(source.DepthName, 1, 0, SamplesViewport);
       SpoilGLState();
       const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-      const std::vector<float> spoiled = this->ReadSample(source.DepthName, 1, 0, Viewport);
+      const std::vector<float> spoiled = this->ReadSample(source.DepthName, 1, 0, SamplesViewport);
       EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
       UnspoilGLState();
       EXPECT_EQ(plain, spoiled);
@@ -132,7 +133,7 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
   const ShadowMesh caster = MakeOpenRectangle().Move(
     [](const glm::dvec3& x) { return glm::dvec3(-0.9, 0.3 * x.x - 0.01, 0.2 * x.y); });
   const vtkShadowVolumeStore volume = MakeVolume(caster, { 1.0, 0.0, 0.0 }, { -0.51, 0.47 });
-  vtkShadowDraw draw = MakeDraw(volume, Viewport);
+  vtkShadowDraw draw = MakeDraw(volume, SamplesViewport);
 
   this->ForEachCount(
     [&](const DepthTarget&, const vtkShadowTarget::SamplePlaces& places)
@@ -141,7 +142,8 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
       {
         SCOPED_TRACE(zPass ? "z-pass" : "z-fail");
         draw.ZPass = zPass;
-        ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, places, this->Why))
+        ASSERT_TRUE(
+          this->Target.Reserve(this->Window, SamplesWidth, SamplesHeight, 2, places, this->Why))
           << this->Why;
         ASSERT_FALSE(this->Target.HasRefusedSamples()) << this->Why;
         EXPECT_EQ(this->Target.GetSamples(), places);
@@ -160,13 +162,14 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
         const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
         ASSERT_TRUE(this->Volume.Upload(volume, this->Why)) << this->Why;
         {
-          const vtkShadowCounter::Scope scope(this->Window, Viewport);
-          this->Counter.ClearMask(this->Target, 1, Viewport);
-          this->Counter.ClearStencil(this->Target, Viewport);
+          const vtkShadowCounter::Scope scope(this->Window, SamplesViewport);
+          this->Counter.ClearMask(this->Target, 1, SamplesViewport);
+          this->Counter.ClearStencil(this->Target, SamplesViewport);
           ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume,
-            MakeView(Viewport), &draw, &draw + 1, nullptr, this->Why))
+            MakeView(SamplesViewport), &draw, &draw + 1, nullptr, this->Why))
             << this->Why;
-          ASSERT_TRUE(this->Counter.Resolve(this->Window, this->Target, 1, 2, Viewport, this->Why))
+          ASSERT_TRUE(
+            this->Counter.Resolve(this->Window, this->Target, 1, 2, SamplesViewport, this->Why))
             << this->Why;
         }
         EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
@@ -174,20 +177,22 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
         glSampleMaski(0, ~0u);
         glEnable(GL_MULTISAMPLE);
 
-        const int all[4] = { 0, 0, Width, Height };
-        const vtkNBufferRectangle viewport = { Viewport[0], Viewport[1], Viewport[0] + Viewport[2],
-          Viewport[1] + Viewport[3] };
+        const int all[4] = { 0, 0, SamplesWidth, SamplesHeight };
+        const vtkNBufferRectangle viewport = { SamplesViewport[0], SamplesViewport[1],
+          SamplesViewport[0] + SamplesViewport[2], SamplesViewport[1] + SamplesViewport[3] };
         int mixed = 0;
-        std::vector<int> shadowed(static_cast<std::size_t>(Width) * Height, 0);
+        std::vector<int> shadowed(static_cast<std::size_t>(SamplesWidth) * SamplesHeight, 0);
         for (std::size_t sample = 0; sample < places.size(); ++sample)
         {
           const std::vector<float> mask = this->ReadSample(
             this->Target.GetMask(1)->GetHandle(), static_cast<int>(sample), 2, all);
-          for (const auto& [x, y] : Pixels(Width, Height))
+          for (const auto& [x, y] : Pixels(SamplesWidth, SamplesHeight))
           {
-            const double u = 2.0 * (x - Viewport[0] + places[sample][0]) / Viewport[2] - 1.0;
-            const double v = 2.0 * (y - Viewport[1] + places[sample][1]) / Viewport[3] - 1.0;
-            const float value = mask[y * Width + x];
+            const double u =
+              2.0 * (x - SamplesViewport[0] + places[sample][0]) / SamplesViewport[2] - 1.0;
+            const double v =
+              2.0 * (y - SamplesViewport[1] + places[sample][1]) / SamplesViewport[3] - 1.0;
+            const float value = mask[y * SamplesWidth + x];
             // Some samples lie on the edge of their pixel, so that u and v do not tell.
             if (!IsIn(x, y, viewport))
             {
@@ -197,7 +202,7 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
             const bool inVolume = u > -0.51 && u < 0.47 && v > -0.31 && v < 0.29;
             ASSERT_EQ(value, inVolume ? 1.0f : 0.0f)
               << "sample " << sample << " at (" << x << ", " << y << ")";
-            shadowed[y * Width + x] += inVolume;
+            shadowed[y * SamplesWidth + x] += inVolume;
           }
         }
         for (const int count : shadowed)
@@ -226,7 +231,8 @@ TEST_F(GpuTestShadowSamples, RefusedSamplesLeaveOneForEachPixel)
   for (const vtkShadowTarget::SamplePlaces& wanted : { many, elsewhere })
   {
     this->Why.clear();
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, wanted, this->Why));
+    ASSERT_TRUE(
+      this->Target.Reserve(this->Window, SamplesWidth, SamplesHeight, 1, wanted, this->Why));
     EXPECT_NE(this->Why, "");
     EXPECT_TRUE(this->Target.HasRefusedSamples());
     EXPECT_FALSE(this->Target.IsMultisampled());
@@ -234,12 +240,15 @@ TEST_F(GpuTestShadowSamples, RefusedSamplesLeaveOneForEachPixel)
     EXPECT_EQ(this->Target.GetDepth(), nullptr);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     const int allocations = this->Target.GetNumberOfAllocations();
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, wanted, this->Why));
+    ASSERT_TRUE(
+      this->Target.Reserve(this->Window, SamplesWidth, SamplesHeight, 1, wanted, this->Why));
     EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations);
     // Larger, and still not.
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width + 1, Height, 1, wanted, this->Why));
+    ASSERT_TRUE(
+      this->Target.Reserve(this->Window, SamplesWidth + 1, SamplesHeight, 1, wanted, this->Why));
     EXPECT_TRUE(this->Target.HasRefusedSamples());
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, centre, this->Why));
+    ASSERT_TRUE(
+      this->Target.Reserve(this->Window, SamplesWidth, SamplesHeight, 1, centre, this->Why));
     EXPECT_FALSE(this->Target.HasRefusedSamples());
     this->Target.Release();
   }

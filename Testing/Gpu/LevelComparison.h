@@ -14,6 +14,9 @@
 #include <string>
 #include <vector>
 
+/// More levels than any image of the tests has, for calls that build up to a number of levels.
+constexpr int AllLevels = 99;
+
 /// Builds all levels of a depth image in host memory.
 inline vtkNBufferLevels BuildOnHost(
   const std::vector<float>& depth, int width, int height, int factor, vtkNBufferExtremum extremum)

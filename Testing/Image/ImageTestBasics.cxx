@@ -27,7 +27,7 @@ ComparisonOptions Defaults()
   return options;
 }
 
-void Walk(Comparison& comparison, int frames, double from = 0.0, double step = 0.01)
+void WalkPastTheWall(Comparison& comparison, int frames, double from = 0.0, double step = 0.01)
 {
   for (int i = 0; i < frames; ++i)
   {
@@ -86,7 +86,7 @@ TEST(CullerBasics, WalkThroughTheCity)
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, Defaults());
   for (int i = 0; i < 40; ++i)
   {
-    Walk(comparison, 1, 0.025 * i);
+    WalkPastTheWall(comparison, 1, 0.025 * i);
     const vtkNBufferStatistics& statistics = comparison.GetStatistics();
     if (i < 20)
     {
@@ -110,7 +110,7 @@ TEST(CullerBasics, CameraCuts)
   const double times[] = { 0.45, 0.05, 0.3, 0.05, 0.45, 0.2 };
   for (double t : times)
   {
-    Walk(comparison, 1, t);
+    WalkPastTheWall(comparison, 1, t);
     EXPECT_GT(comparison.GetHidden(), 50) << t;
     EXPECT_LE(comparison.GetStatistics().Rounds, 6) << t;
   }
@@ -180,7 +180,7 @@ TEST(CullerBasics, WithoutTheDefaultCuller)
   ComparisonOptions options;
   options.KeepDefaultCuller = false;
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
-  Walk(comparison, 6);
+  WalkPastTheWall(comparison, 6);
   EXPECT_GT(comparison.GetHidden(), 60);
   EXPECT_GT(comparison.GetStatistics().GetCount(Verdict::Outside), 0);
 }
@@ -193,7 +193,7 @@ TEST(CullerBasics, BehindTheDefaultCuller)
   options.StockReference = true;
   options.Tuning.TakeOverFrustumCulling = false;
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
-  Walk(comparison, 6);
+  WalkPastTheWall(comparison, 6);
   EXPECT_GT(comparison.GetHidden(), 60);
 }
 
@@ -330,7 +330,7 @@ TEST_P(CullerSettings, WalkThroughTheCity)
   this->GetParam().Set(options);
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
   comparison.GetCuller()->SetTestSlivers(this->GetParam().TestSlivers);
-  Walk(comparison, 8, 0.2, 0.03);
+  WalkPastTheWall(comparison, 8, 0.2, 0.03);
   EXPECT_GT(comparison.GetHidden(), 50);
   EXPECT_LE(
     comparison.GetStatistics().Rounds, comparison.GetCuller()->GetTuning().MaximumNumberOfRounds);
@@ -359,7 +359,7 @@ TEST(CullerBasics, DevicesReadBackTheBaseLevel)
     long long pixels = 0;
     for (int i = 0; i < 4; ++i)
     {
-      Walk(comparison, 1, 0.1 * i);
+      WalkPastTheWall(comparison, 1, 0.1 * i);
       const vtkNBufferStatistics& statistics = comparison.GetStatistics();
       ASSERT_EQ(statistics.Decision, vtkNBufferDecision::Culled);
       const long long more = statistics.BytesRead - statistics.Rounds * getBytes(8);
@@ -378,7 +378,7 @@ TEST(CullerBasics, TheHostReadsAllPixels)
   ComparisonOptions options;
   options.Backend = vtkNBufferCuller::CPU;
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
-  Walk(comparison, 1);
+  WalkPastTheWall(comparison, 1);
   const vtkNBufferStatistics& statistics = comparison.GetStatistics();
   ASSERT_EQ(statistics.Decision, vtkNBufferDecision::Culled);
   EXPECT_EQ(statistics.ReadBacks, statistics.Rounds);
@@ -400,8 +400,8 @@ TEST(CullerBasics, BackendsAgreeOnEveryVerdict)
   Comparison b([](Stage& stage) { Scenes::BuildCity(stage); }, make(vtkNBufferCuller::OpenGL));
   for (int i = 0; i < 4; ++i)
   {
-    Walk(a, 1, 0.1 * i);
-    Walk(b, 1, 0.1 * i);
+    WalkPastTheWall(a, 1, 0.1 * i);
+    WalkPastTheWall(b, 1, 0.1 * i);
     EXPECT_EQ(a.GetCuller()->GetBackendInUse(), vtkNBufferCuller::CPU);
     EXPECT_EQ(b.GetCuller()->GetBackendInUse(), vtkNBufferCuller::OpenGL);
     for (std::size_t prop = 0; prop < a.Culled.Props.size(); ++prop)

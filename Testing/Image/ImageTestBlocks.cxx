@@ -42,7 +42,7 @@ using Finish = std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData* block, un
 
 /// Empty meshes in the order of their addresses. VTK before 9.3 draws blocks in that order, which
 /// has to be the same in both scenes that are compared: blocks touch each other.
-std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(int count)
+std::vector<vtkSmartPointer<vtkPolyData>> MakeEmptyMeshes(int count)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> meshes(static_cast<std::size_t>(count));
   for (vtkSmartPointer<vtkPolyData>& mesh : meshes)
@@ -55,10 +55,10 @@ std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(int count)
 }
 
 /// Houses on a ground, each a block.
-Blocks MakeCity(int count, const Finish& finish = nullptr)
+Blocks MakeBlockCity(int count, const Finish& finish = nullptr)
 {
   auto blocks = Blocks::New();
-  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeMeshes(count * count + 1);
+  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeEmptyMeshes(count * count + 1);
   std::minstd_rand random(5);
   const auto add = [&](const glm::dvec3& center, const glm::dvec3& size)
   {
@@ -80,7 +80,7 @@ Blocks MakeCity(int count, const Finish& finish = nullptr)
 }
 
 /// A color for each cell.
-vtkSmartPointer<vtkPolyData> ColorCells(vtkPolyData* block, unsigned int n)
+vtkSmartPointer<vtkPolyData> ColorCellsOfBlock(vtkPolyData* block, unsigned int n)
 {
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
@@ -98,7 +98,7 @@ vtkSmartPointer<vtkPolyData> MakeDifferent(vtkPolyData* block, unsigned int n)
   switch (n % 4)
   {
     case 0:
-      return ColorCells(block, n);
+      return ColorCellsOfBlock(block, n);
     case 1:
     {
       vtkNew<vtkPolyDataNormals> normals;
@@ -118,14 +118,14 @@ vtkSmartPointer<vtkPolyData> MakeDifferent(vtkPolyData* block, unsigned int n)
   }
 }
 
-CompositeMapper* GetMapper(Stage& stage)
+CompositeMapper* GetBlockMapper(Stage& stage)
 {
   return static_cast<CompositeMapper*>(stage.GetActor(0)->GetMapper());
 }
 
 vtkMultiBlockDataSet* GetBlocks(Stage& stage)
 {
-  return static_cast<vtkMultiBlockDataSet*>(GetMapper(stage)->GetInputDataObject(0, 0));
+  return static_cast<vtkMultiBlockDataSet*>(GetBlockMapper(stage)->GetInputDataObject(0, 0));
 }
 
 /// The n-th block, which has the flat index n + 1.
@@ -145,30 +145,30 @@ void AddBlocks(Stage& stage, vtkDataObject* blocks)
   stage.GetActor(static_cast<int>(stage.Props.size()) - 1)->SetMapper(mapper);
 }
 
-const LargeProps::Case Cases[] = {
-  { "City", [](Stage& stage) { AddBlocks(stage, MakeCity(14)); } },
-  { "CellColors", [](Stage& stage) { AddBlocks(stage, MakeCity(14, ColorCells)); } },
+const LargeProps::Case BlockCases[] = {
+  { "City", [](Stage& stage) { AddBlocks(stage, MakeBlockCity(14)); } },
+  { "CellColors", [](Stage& stage) { AddBlocks(stage, MakeBlockCity(14, ColorCellsOfBlock)); } },
   { "DifferentArrays",
     [](Stage& stage)
     {
-      AddBlocks(stage, MakeCity(14, MakeDifferent));
+      AddBlocks(stage, MakeBlockCity(14, MakeDifferent));
       AddWalls(stage);
     } },
   { "ColorsOfBlocks",
     [](Stage& stage)
     {
-      AddBlocks(stage, MakeCity(14));
+      AddBlocks(stage, MakeBlockCity(14));
       for (unsigned int i = 1; i < 190; i += 3)
       {
         const double color[3] = { 0.005 * i, 0.3, 1.0 - 0.005 * i };
-        GetMapper(stage)->SetBlockColor(i, color);
+        GetBlockMapper(stage)->SetBlockColor(i, color);
       }
       AddWalls(stage);
     } },
   { "Nested",
     [](Stage& stage)
     {
-      const Blocks first = MakeCity(14);
+      const Blocks first = MakeBlockCity(14);
       vtkNew<vtkMultiBlockDataSet> all;
       vtkNew<vtkMultiBlockDataSet> half;
       for (unsigned int i = 0; i < first->GetNumberOfBlocks(); ++i)
@@ -182,7 +182,7 @@ const LargeProps::Case Cases[] = {
   { "SharedMeshes",
     [](Stage& stage)
     {
-      const Blocks blocks = MakeCity(14);
+      const Blocks blocks = MakeBlockCity(14);
       for (unsigned int i = 0; i < 40; ++i)
       {
         blocks->SetBlock(blocks->GetNumberOfBlocks(), blocks->GetBlock(3 * i));
@@ -192,16 +192,16 @@ const LargeProps::Case Cases[] = {
   { "InvisibleBlocks",
     [](Stage& stage)
     {
-      AddBlocks(stage, MakeCity(14));
+      AddBlocks(stage, MakeBlockCity(14));
       for (unsigned int i = 2; i < 190; i += 5)
       {
-        GetMapper(stage)->SetBlockVisibility(i, false);
+        GetBlockMapper(stage)->SetBlockVisibility(i, false);
       }
     } },
   { "MovedActor",
     [](Stage& stage)
     {
-      AddBlocks(stage, MakeCity(14));
+      AddBlocks(stage, MakeBlockCity(14));
       stage.GetActor(0)->SetPosition(1.0, 0.5, 0.0);
       stage.GetActor(0)->RotateZ(30.0);
       stage.GetActor(0)->SetScale(1.0, 0.7, 1.3);
@@ -210,16 +210,16 @@ const LargeProps::Case Cases[] = {
   { "ClippingPlane",
     [](Stage& stage)
     {
-      AddBlocks(stage, MakeCity(14));
+      AddBlocks(stage, MakeBlockCity(14));
       vtkNew<vtkPlane> plane;
       plane->SetNormal(0.6, 0.0, 0.8);
-      GetMapper(stage)->AddClippingPlane(plane);
+      GetBlockMapper(stage)->AddClippingPlane(plane);
     } },
   { "TwoCities",
     [](Stage& stage)
     {
-      AddBlocks(stage, MakeCity(10));
-      AddBlocks(stage, MakeCity(14));
+      AddBlocks(stage, MakeBlockCity(10));
+      AddBlocks(stage, MakeBlockCity(14));
     } },
 };
 }
@@ -227,7 +227,7 @@ const LargeProps::Case Cases[] = {
 class CullerBlocks : public testing::TestWithParam<LargeProps::Case>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerBlocks, testing::ValuesIn(Cases), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerBlocks, testing::ValuesIn(BlockCases), GetCaseName);
 
 // Hazard: the boxes of units are too small, blocks are drawn in another order than VTK's, or the
 // culler's list of blocks stays in the mapper.
@@ -238,8 +238,8 @@ TEST_P(CullerBlocks, SameImage)
     {
       // The mapper names all blocks as drawn.
       std::vector<std::size_t> listed;
-      comparison.Both(
-        [&listed](Stage& stage) { listed.push_back(GetMapper(stage)->GetRenderedList().size()); });
+      comparison.Both([&listed](Stage& stage)
+        { listed.push_back(GetBlockMapper(stage)->GetRenderedList().size()); });
       EXPECT_EQ(listed.at(0), listed.at(1));
     });
 }
@@ -251,11 +251,11 @@ TEST(CullerBlocksRounding, CountsInvisibleBlocks)
   Comparison comparison(
     [](Stage& stage)
     {
-      const Blocks city = MakeCity(14);
+      const Blocks city = MakeBlockCity(14);
       city->SetBlock(
         city->GetNumberOfBlocks(), Scenes::MakeBox({ 3.0e7, 1.0e7, 2.0e7 }, { 1.0, 1.0, 1.0 }));
       AddBlocks(stage, city);
-      GetMapper(stage)->SetBlockVisibility(city->GetNumberOfBlocks(), false);
+      GetBlockMapper(stage)->SetBlockVisibility(city->GetNumberOfBlocks(), false);
       AddWalls(stage);
     },
     MakeOptionsWithoutDraws());
@@ -270,7 +270,7 @@ TEST(CullerBlocksTies, LastOneStays)
     {
       Scenes::SetPixelCamera(stage.GetRenderer(), 301, 173);
       vtkNew<vtkMultiBlockDataSet> quads;
-      const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeMeshes(200);
+      const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeEmptyMeshes(200);
       std::minstd_rand random(11);
       for (unsigned int i = 0; i < 200; ++i)
       {
@@ -280,7 +280,7 @@ TEST(CullerBlocksTies, LastOneStays)
         const double size = 10.0 + random() % 40;
         vtkSmartPointer<vtkPolyData> quad =
           Scenes::MakeBox({ x, y, z - 0.5 * size }, { size, size, size });
-        meshes[i]->ShallowCopy(ColorCells(quad, i));
+        meshes[i]->ShallowCopy(ColorCellsOfBlock(quad, i));
         quads->SetBlock(i, meshes[i]);
       }
       AddBlocks(stage, quads);
@@ -310,7 +310,7 @@ void Move(Stage& stage, unsigned int n, const glm::dvec3& by)
   GetBlock(stage, n)->Modified();
 }
 
-const LargeProps::Change Changes[] = {
+const LargeProps::Change BlockChanges[] = {
   { "Points",
     [](Stage& stage)
     {
@@ -337,22 +337,22 @@ const LargeProps::Change Changes[] = {
       GetBlocks(stage)->SetBlock(40, GetBlock(stage, 80));
       GetBlocks(stage)->SetBlock(80, first);
     } },
-  { "Data", [](Stage& stage) { GetMapper(stage)->SetInputDataObject(MakeCity(9)); } },
+  { "Data", [](Stage& stage) { GetBlockMapper(stage)->SetInputDataObject(MakeBlockCity(9)); } },
   { "BlockColor",
     [](Stage& stage)
     {
       const double red[3] = { 1.0, 0.1, 0.0 };
-      GetMapper(stage)->SetBlockColor(50, red);
+      GetBlockMapper(stage)->SetBlockColor(50, red);
     } },
   { "BlockVisibility",
     [](Stage& stage)
     {
       for (unsigned int i = 2; i < 150; ++i)
       {
-        GetMapper(stage)->SetBlockVisibility(i, i % 3 != 0);
+        GetBlockMapper(stage)->SetBlockVisibility(i, i % 3 != 0);
       }
     } },
-  { "BlockOpacity", [](Stage& stage) { GetMapper(stage)->SetBlockOpacity(40, 0.5); }, false },
+  { "BlockOpacity", [](Stage& stage) { GetBlockMapper(stage)->SetBlockOpacity(40, 0.5); }, false },
   { "Actor",
     [](Stage& stage)
     {
@@ -373,7 +373,7 @@ const LargeProps::Change Changes[] = {
       node->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), 33);
       vtkNew<vtkSelection> selection;
       selection->AddNode(node);
-      GetMapper(stage)->SetSelection(selection);
+      GetBlockMapper(stage)->SetSelection(selection);
     },
     false },
   { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
@@ -383,7 +383,7 @@ const LargeProps::Change Changes[] = {
 class CullerBlocksChanges : public testing::TestWithParam<LargeProps::Change>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerBlocksChanges, testing::ValuesIn(Changes), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerBlocksChanges, testing::ValuesIn(BlockChanges), GetCaseName);
 
 // Hazard: blocks have changed, and their former boxes are tested.
 TEST_P(CullerBlocksChanges, SameImage)
@@ -391,7 +391,7 @@ TEST_P(CullerBlocksChanges, SameImage)
   Comparison comparison(
     [](Stage& stage)
     {
-      AddBlocks(stage, MakeCity(14));
+      AddBlocks(stage, MakeBlockCity(14));
       AddWalls(stage);
     },
     MakeOptionsWithoutDraws());
@@ -409,7 +409,7 @@ TEST(CullerBlocksChanges, AreNoticedWhileNothingIsDrawn)
       [](Stage& stage)
       {
         // Two groups of blocks with a gap between them, where the camera looks.
-        AddBlocks(stage, MakeCity(5));
+        AddBlocks(stage, MakeBlockCity(5));
         for (unsigned int i = 0; i < 26; ++i)
         {
           Move(stage, i, { i % 2 ? 40.0 : -40.0, 0.0, 0.0 });
@@ -444,6 +444,6 @@ TEST(CullerBlocksChanges, AreNoticedWhileNothingIsDrawn)
 TEST(CullerBlocksPicking, SameBlocks)
 {
   Comparison comparison(
-    [](Stage& stage) { AddBlocks(stage, MakeCity(14)); }, MakeOptionsWithoutDraws());
+    [](Stage& stage) { AddBlocks(stage, MakeBlockCity(14)); }, MakeOptionsWithoutDraws());
   LargeProps::ComparePicks(comparison, Walk);
 }

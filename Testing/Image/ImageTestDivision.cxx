@@ -161,7 +161,7 @@ void AddTranslucentCity(Stage& stage, vtkPolyData* city)
   AddWalls(stage);
 }
 
-const LargeProps::Case Cases[] = {
+const LargeProps::Case DivisionCases[] = {
   { "City", [](Stage& stage) { stage.AddActor(MakeCity(14), White); } },
   { "CityShuffled", [](Stage& stage) { stage.AddActor(Shuffle(MakeCity(14)), White); } },
   { "CityAndWalls",
@@ -292,7 +292,7 @@ const LargeProps::Case Cases[] = {
 class CullerDivision : public testing::TestWithParam<LargeProps::Case>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerDivision, testing::ValuesIn(Cases), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerDivision, testing::ValuesIn(DivisionCases), GetCaseName);
 
 // Hazard: the boxes of units are too small, units are drawn in another order than the triangles of
 // the mesh, or fresh units are drawn over units that come after them.
@@ -377,27 +377,28 @@ TEST_P(CullerDivisionTies, LastOneStays)
 //------------------------------------------------------------------------------------------------
 namespace
 {
-vtkPolyData* GetData(Stage& stage)
+vtkPolyData* GetDividedData(Stage& stage)
 {
   return vtkPolyData::SafeDownCast(stage.GetActor(0)->GetMapper()->GetInputDataObject(0, 0));
 }
 
-const LargeProps::Change Changes[] = {
+const LargeProps::Change DivisionChanges[] = {
   { "Points",
     [](Stage& stage)
     {
-      TestScene::MovePoints(GetData(stage)->GetPoints(), { 1.0, 2.0, 0.5 }, 0.3);
-      GetData(stage)->Modified();
+      TestScene::MovePoints(GetDividedData(stage)->GetPoints(), { 1.0, 2.0, 0.5 }, 0.3);
+      GetDividedData(stage)->Modified();
     } },
   { "Cells",
     [](Stage& stage)
     {
-      GetData(stage)->GetPolys()->InsertNextCell({ 0, 100, 200 });
-      GetData(stage)->GetPolys()->Modified();
-      GetData(stage)->Modified();
+      GetDividedData(stage)->GetPolys()->InsertNextCell({ 0, 100, 200 });
+      GetDividedData(stage)->GetPolys()->Modified();
+      GetDividedData(stage)->Modified();
     } },
   { "OrderOfCells",
-    [](Stage& stage) { GetData(stage)->SetPolys(Shuffle(GetData(stage))->GetPolys()); } },
+    [](Stage& stage)
+    { GetDividedData(stage)->SetPolys(Shuffle(GetDividedData(stage))->GetPolys()); } },
   { "Data",
     [](Stage& stage) {
       static_cast<vtkPolyDataMapper*>(stage.GetActor(0)->GetMapper())->SetInputData(MakeCity(9));
@@ -412,7 +413,7 @@ const LargeProps::Change Changes[] = {
   { "Colors",
     [](Stage& stage)
     {
-      GetData(stage)->GetPointData()->SetScalars(nullptr);
+      GetDividedData(stage)->GetPointData()->SetScalars(nullptr);
       stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1);
     } },
   { "Actor",
@@ -424,15 +425,15 @@ const LargeProps::Change Changes[] = {
   { "CellColors",
     [](Stage& stage)
     {
-      GetData(stage)->GetCellData()->SetScalars(
-        ColorCells(GetData(stage))->GetCellData()->GetScalars());
+      GetDividedData(stage)->GetCellData()->SetScalars(
+        ColorCells(GetDividedData(stage))->GetCellData()->GetScalars());
       stage.GetActor(0)->GetMapper()->SetScalarModeToUseCellData();
     } },
   { "CellNormals",
     [](Stage& stage)
     {
       static_cast<vtkPolyDataMapper*>(stage.GetActor(0)->GetMapper())
-        ->SetInputData(TurnCells(GetData(stage)));
+        ->SetInputData(TurnCells(GetDividedData(stage)));
     } },
   { "Wireframe",
     [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); }, false },
@@ -443,7 +444,7 @@ const LargeProps::Change Changes[] = {
     {
       vtkNew<vtkCellArray> lines;
       lines->InsertNextCell({ 0, 100 });
-      GetData(stage)->SetLines(lines);
+      GetDividedData(stage)->SetLines(lines);
     },
     false },
   { "Vertices",
@@ -451,7 +452,7 @@ const LargeProps::Change Changes[] = {
     {
       vtkNew<vtkCellArray> vertices;
       vertices->InsertNextCell({ 17 });
-      GetData(stage)->SetVerts(vertices);
+      GetDividedData(stage)->SetVerts(vertices);
     },
     false },
   { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); } },
@@ -472,7 +473,8 @@ const LargeProps::Change Changes[] = {
 class CullerDivisionChanges : public testing::TestWithParam<LargeProps::Change>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionChanges, testing::ValuesIn(Changes), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(
+  Each, CullerDivisionChanges, testing::ValuesIn(DivisionChanges), GetCaseName);
 
 // Hazard: the data, or the way in which they are drawn, have changed, and the former units are
 // used.

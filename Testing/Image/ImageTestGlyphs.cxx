@@ -28,7 +28,7 @@ using LargeProps::WalkFromOutside;
 
 namespace
 {
-ComparisonOptions MakeOptions(int unitSize = 12)
+ComparisonOptions MakeGlyphOptions(int unitSize = 12)
 {
   return LargeProps::MakeOptionsWithoutDraws(unitSize);
 }
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> MakeCube(double length, bool withNormals = true)
 }
 
 /// Points with a color, a size and a direction each.
-vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points)
+vtkSmartPointer<vtkPolyData> MakeGlyphData(vtkPoints* points)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
@@ -61,13 +61,13 @@ vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points)
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> MakeCloud(int count)
+vtkSmartPointer<vtkPolyData> MakeGlyphCloud(int count)
 {
-  return MakeData(LargeProps::MakeCloudPoints(count));
+  return MakeGlyphData(LargeProps::MakeCloudPoints(count));
 }
 
 /// Points on a lattice with steps of 2, some of them twice, in no order.
-vtkSmartPointer<vtkPolyData> MakeLattice()
+vtkSmartPointer<vtkPolyData> MakeGlyphLattice()
 {
   std::vector<glm::dvec3> places;
   for (int x = -12; x < 12; ++x)
@@ -87,10 +87,10 @@ vtkSmartPointer<vtkPolyData> MakeLattice()
   {
     points->InsertNextPoint(glm::value_ptr(place));
   }
-  return MakeData(points);
+  return MakeGlyphData(points);
 }
 
-vtkGlyph3DMapper* GetMapper(Stage& stage)
+vtkGlyph3DMapper* GetGlyphMapper(Stage& stage)
 {
   return static_cast<vtkGlyph3DMapper*>(stage.GetActor(0)->GetMapper());
 }
@@ -108,24 +108,24 @@ vtkGlyph3DMapper* AddGlyphs(Stage& stage, vtkPolyData* data, vtkPolyData* source
   return mapper;
 }
 
-const LargeProps::Case Cases[] = {
+const LargeProps::Case GlyphCases[] = {
   { "CloudAndWalls",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(2500), MakeCube(1.0));
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(1.0));
       AddTallWalls(stage);
     } },
   { "WallsFirst",
     [](Stage& stage)
     {
       AddTallWalls(stage);
-      AddGlyphs(stage, MakeCloud(2500), MakeCube(1.0));
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(1.0));
     } },
-  { "DenseCloud", [](Stage& stage) { AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5)); } },
+  { "DenseCloud", [](Stage& stage) { AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(2.5)); } },
   { "WithoutNormals",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5, false));
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(2.5, false));
       stage.GetActor(0)->GetProperty()->SetAmbient(0.4);
     } },
   { "ValuesOfCells",
@@ -143,33 +143,33 @@ const LargeProps::Case Cases[] = {
       }
       cube->GetCellData()->SetScalars(colors);
       cube->GetCellData()->SetNormals(normals);
-      AddGlyphs(stage, MakeCloud(2500), cube);
+      AddGlyphs(stage, MakeGlyphCloud(2500), cube);
     } },
   { "OneColor",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5))->ScalarVisibilityOff();
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(2.5))->ScalarVisibilityOff();
       stage.GetActor(0)->GetProperty()->SetColor(0.2, 0.9, 0.4);
     } },
   { "Unlit",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5));
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(2.5));
       stage.GetActor(0)->GetProperty()->LightingOff();
     } },
-  { "Lattice", [](Stage& stage) { AddGlyphs(stage, MakeLattice(), MakeCube(2.0)); } },
+  { "Lattice", [](Stage& stage) { AddGlyphs(stage, MakeGlyphLattice(), MakeCube(2.0)); } },
   { "LatticeAndWalls",
     [](Stage& stage)
     {
       AddTallWalls(stage);
-      AddGlyphs(stage, MakeLattice(), MakeCube(2.0));
+      AddGlyphs(stage, MakeGlyphLattice(), MakeCube(2.0));
       Scenes::AddBox(stage, 1.0, 1.0, 3.0, 6.0, 6.0, 6.0); // shares planes with the cubes
       AddTallWalls(stage);
     } },
   { "ScaledAndTurned",
     [](Stage& stage)
     {
-      vtkGlyph3DMapper* mapper = AddGlyphs(stage, MakeCloud(2500), MakeCube(2.0));
+      vtkGlyph3DMapper* mapper = AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(2.0));
       mapper->ScalingOn();
       mapper->SetScaleModeToScaleByMagnitude();
       mapper->SetScaleArray("sizes");
@@ -186,8 +186,8 @@ const LargeProps::Case Cases[] = {
       vtkNew<vtkSphereSource> sphere;
       sphere->SetCenter(0.4, -0.3, 0.2);
       sphere->Update();
-      AddGlyphs(stage, MakeCloud(2500), sphere->GetOutput())->SetScaleFactor(2.0);
-      GetMapper(stage)->ScalingOn();
+      AddGlyphs(stage, MakeGlyphCloud(2500), sphere->GetOutput())->SetScaleFactor(2.0);
+      GetGlyphMapper(stage)->ScalingOn();
       AddTallWalls(stage);
     } },
   { "ClippingPlane",
@@ -195,14 +195,14 @@ const LargeProps::Case Cases[] = {
     {
       vtkNew<vtkPlane> plane;
       plane->SetNormal(0.6, 0.0, 0.8);
-      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.0))->AddClippingPlane(plane);
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(2.0))->AddClippingPlane(plane);
       AddTallWalls(stage);
     } },
   { "TwoProps",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeLattice(), MakeCube(2.0));
-      AddGlyphs(stage, MakeLattice(), MakeCube(2.0));
+      AddGlyphs(stage, MakeGlyphLattice(), MakeCube(2.0));
+      AddGlyphs(stage, MakeGlyphLattice(), MakeCube(2.0));
       stage.GetActor(1)->SetPosition(1.0, 0.0, 2.0);
     } },
 };
@@ -211,13 +211,14 @@ const LargeProps::Case Cases[] = {
 class CullerGlyphs : public testing::TestWithParam<LargeProps::Case>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphs, testing::ValuesIn(Cases), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphs, testing::ValuesIn(GlyphCases), GetCaseName);
 
 // Hazard: the boxes of instances are too small, instances are drawn in another order, fresh
 // instances are drawn over those that come after them, or the culler's buffers stay attached.
 TEST_P(CullerGlyphs, SameImage)
 {
-  LargeProps::CompareWalks(this->GetParam().Build, MakeOptions(), 100, WalkFromOutside, { 100, 10 },
+  LargeProps::CompareWalks(this->GetParam().Build, MakeGlyphOptions(), 100, WalkFromOutside,
+    { 100, 10 },
     [](Comparison& comparison)
     {
       comparison.Frame("still");
@@ -228,41 +229,41 @@ TEST_P(CullerGlyphs, SameImage)
 //------------------------------------------------------------------------------------------------
 namespace
 {
-vtkPolyData* GetData(Stage& stage)
+vtkPolyData* GetGlyphData(Stage& stage)
 {
-  return vtkPolyData::SafeDownCast(GetMapper(stage)->GetInputDataObject(0, 0));
+  return vtkPolyData::SafeDownCast(GetGlyphMapper(stage)->GetInputDataObject(0, 0));
 }
 
 vtkPolyData* GetSource(Stage& stage)
 {
-  return vtkPolyData::SafeDownCast(GetMapper(stage)->GetInputDataObject(1, 0));
+  return vtkPolyData::SafeDownCast(GetGlyphMapper(stage)->GetInputDataObject(1, 0));
 }
 
-const LargeProps::Change Changes[] = {
+const LargeProps::Change GlyphChanges[] = {
   { "Points",
     [](Stage& stage)
     {
-      TestScene::MovePoints(GetData(stage)->GetPoints(), { 1.0, 2.0, 0.5 }, 0.3);
-      GetData(stage)->Modified();
+      TestScene::MovePoints(GetGlyphData(stage)->GetPoints(), { 1.0, 2.0, 0.5 }, 0.3);
+      GetGlyphData(stage)->Modified();
     } },
-  { "FewerPoints", [](Stage& stage) { GetMapper(stage)->SetInputData(MakeCloud(500)); } },
+  { "FewerPoints", [](Stage& stage) { GetGlyphMapper(stage)->SetInputData(MakeGlyphCloud(500)); } },
   { "SourcePoints",
     [](Stage& stage)
     {
       TestScene::MovePoints(GetSource(stage)->GetPoints(), { 0.0, 0.0, 1.0 }, 0.5);
       GetSource(stage)->Modified();
     } },
-  { "Source", [](Stage& stage) { GetMapper(stage)->SetSourceData(MakeCube(0.7, false)); } },
+  { "Source", [](Stage& stage) { GetGlyphMapper(stage)->SetSourceData(MakeCube(0.7, false)); } },
   { "ScaleFactor",
     [](Stage& stage)
     {
-      GetMapper(stage)->ScalingOn();
-      GetMapper(stage)->SetScaleFactor(0.4);
+      GetGlyphMapper(stage)->ScalingOn();
+      GetGlyphMapper(stage)->SetScaleFactor(0.4);
     } },
   { "Colors",
     [](Stage& stage)
     {
-      GetMapper(stage)->ScalarVisibilityOff();
+      GetGlyphMapper(stage)->ScalarVisibilityOff();
       stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1);
     } },
   { "ColorOfProperty",
@@ -272,7 +273,7 @@ const LargeProps::Change Changes[] = {
     [](Stage& stage)
     {
       vtkNew<vtkGlyph3DMapper> mapper;
-      mapper->SetInputData(MakeCloud(2000));
+      mapper->SetInputData(MakeGlyphCloud(2000));
       mapper->SetSourceData(MakeCube(1.5));
       mapper->ScalingOff();
       mapper->OrientOff();
@@ -289,21 +290,21 @@ const LargeProps::Change Changes[] = {
     {
       vtkNew<vtkBitArray> mask;
       mask->SetName("mask");
-      for (vtkIdType i = 0; i < GetData(stage)->GetNumberOfPoints(); ++i)
+      for (vtkIdType i = 0; i < GetGlyphData(stage)->GetNumberOfPoints(); ++i)
       {
         mask->InsertNextValue(i % 3 == 0);
       }
-      GetData(stage)->GetPointData()->AddArray(mask);
-      GetMapper(stage)->SetMaskArray("mask");
-      GetMapper(stage)->MaskingOn();
+      GetGlyphData(stage)->GetPointData()->AddArray(mask);
+      GetGlyphMapper(stage)->SetMaskArray("mask");
+      GetGlyphMapper(stage)->MaskingOn();
     },
     false },
   { "TwoSources",
     [](Stage& stage)
     {
-      GetMapper(stage)->SetSourceData(1, MakeCube(0.5));
-      GetMapper(stage)->SetSourceIndexArray("sizes");
-      GetMapper(stage)->SourceIndexingOn();
+      GetGlyphMapper(stage)->SetSourceData(1, MakeCube(0.5));
+      GetGlyphMapper(stage)->SetSourceIndexArray("sizes");
+      GetGlyphMapper(stage)->SourceIndexingOn();
     },
     false },
   { "Wireframe",
@@ -324,7 +325,7 @@ const LargeProps::Change Changes[] = {
   { "SharedMapper",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(10), MakeCube(1.0));
+      AddGlyphs(stage, MakeGlyphCloud(10), MakeCube(1.0));
       vtkActor* other = stage.GetActor(static_cast<int>(stage.Props.size()) - 1);
       other->SetMapper(stage.GetActor(0)->GetMapper());
       other->SetPosition(3.0, 0.0, 1.0);
@@ -337,7 +338,7 @@ const LargeProps::Change Changes[] = {
 class CullerGlyphsChanges : public testing::TestWithParam<LargeProps::Change>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphsChanges, testing::ValuesIn(Changes), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphsChanges, testing::ValuesIn(GlyphChanges), GetCaseName);
 
 // Hazard: the data, or the way in which they are drawn, have changed, and the former instances are
 // used.
@@ -346,10 +347,10 @@ TEST_P(CullerGlyphsChanges, SameImage)
   Comparison comparison(
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.0));
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(2.0));
       AddTallWalls(stage);
     },
-    MakeOptions());
+    MakeGlyphOptions());
   LargeProps::CompareChange(comparison, this->GetParam().Apply, WalkFromOutside);
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
@@ -358,14 +359,14 @@ TEST_P(CullerGlyphsChanges, SameImage)
 TEST(CullerGlyphsPicking, SamePoints)
 {
   Comparison comparison(
-    [](Stage& stage) { AddGlyphs(stage, MakeCloud(800), MakeCube(2.5)); }, MakeOptions());
+    [](Stage& stage) { AddGlyphs(stage, MakeGlyphCloud(800), MakeCube(2.5)); }, MakeGlyphOptions());
   LargeProps::ComparePicks(comparison, WalkFromOutside);
 }
 
 // The number of units, with DivideProps on and off.
 TEST(CullerGlyphsSettings, SizeAndSwitch)
 {
-  Comparison comparison(
-    [](Stage& stage) { AddGlyphs(stage, MakeCloud(1000), MakeCube(2.5)); }, MakeOptions(48));
+  Comparison comparison([](Stage& stage) { AddGlyphs(stage, MakeGlyphCloud(1000), MakeCube(2.5)); },
+    MakeGlyphOptions(48));
   LargeProps::CompareSwitch(comparison, WalkFromOutside, 1000 / 2);
 }

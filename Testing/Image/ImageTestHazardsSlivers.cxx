@@ -12,8 +12,8 @@
 
 namespace
 {
-constexpr int Width = 960;
-constexpr int Height = 720;
+constexpr int SliversWidth = 960;
+constexpr int SliversHeight = 720;
 
 /// A pipe along x with triangles in its outline that pass the middle of a pixel. llvmpipe draws it
 /// at the depth of its box but for that pixel.
@@ -93,8 +93,8 @@ class CullerSlivers : public testing::TestWithParam<Pipe>
 TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
 {
   const Pipe& pipe = this->GetParam();
-  Comparison comparison(
-    [&pipe](Stage& stage) { Build(stage, pipe); }, Scenes::MakeExactOptions(Width, Height, 4));
+  Comparison comparison([&pipe](Stage& stage) { Build(stage, pipe); },
+    Scenes::MakeExactOptions(SliversWidth, SliversHeight, 4));
   Scenes::Settle(comparison);
 
   const int x = pipe.Pixel[0];

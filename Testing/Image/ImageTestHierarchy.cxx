@@ -12,7 +12,7 @@ using Scenes::Wall;
 
 namespace
 {
-ComparisonOptions MakeOptions(int hierarchySize)
+ComparisonOptions MakeHierarchyOptions(int hierarchySize)
 {
   ComparisonOptions options;
   options.KeepDefaultCuller = false;
@@ -35,8 +35,8 @@ const vtkNBufferStatistics& MoveAndRender(
 TEST(CullerHierarchy, VerdictsAreThoseOfTheTestOneByOne)
 {
   const auto build = [](Stage& stage) { Scenes::BuildCity(stage); };
-  Comparison flat(build, MakeOptions(VTK_INT_MAX));
-  Comparison tree(build, MakeOptions(0));
+  Comparison flat(build, MakeHierarchyOptions(VTK_INT_MAX));
+  Comparison tree(build, MakeHierarchyOptions(0));
   long long queriesSaved = 0;
   for (int i = 0; i <= 20; ++i)
   {
@@ -60,7 +60,7 @@ TEST(CullerHierarchy, VerdictsAreThoseOfTheTestOneByOne)
 
 TEST(CullerHierarchy, IsBuiltOnceForAListThatStays)
 {
-  Comparison comparison(Scenes::BuildWall, MakeOptions(0));
+  Comparison comparison(Scenes::BuildWall, MakeHierarchyOptions(0));
   int builds = 0;
   for (int i = 0; i < 8; ++i)
   {
@@ -81,7 +81,7 @@ TEST(CullerHierarchy, IsBuiltOnceForAListThatStays)
 // Hazard: a prop moves, and is tested at its former place.
 TEST(CullerHierarchy, IsRefitToPropsThatMove)
 {
-  Comparison comparison(Scenes::BuildWall, MakeOptions(0));
+  Comparison comparison(Scenes::BuildWall, MakeHierarchyOptions(0));
   MoveAndRender(comparison, 0.0, "first");
   MoveAndRender(comparison, 0.1, "second");
   const int props[] = { Wall::FirstBehind, Wall::FirstBehind + 7, Wall::FirstInFront };
@@ -113,7 +113,7 @@ TEST(CullerHierarchy, IsRefitToPropsThatMove)
 // Hazard: the list of props changes, and the hierarchy refers to places of the old list.
 TEST(CullerHierarchy, IsBuiltAgainWhenTheListHasChangedAndStays)
 {
-  Comparison comparison(Scenes::BuildWall, MakeOptions(0));
+  Comparison comparison(Scenes::BuildWall, MakeHierarchyOptions(0));
   MoveAndRender(comparison, 0.0, "first");
   MoveAndRender(comparison, 0.1, "second");
   const auto check = [&comparison](double shift, const std::string& what)
@@ -150,7 +150,7 @@ TEST(CullerHierarchy, PropsThatBecomeAndCeaseToBeCandidates)
       Scenes::BuildWall(stage);
       stage.GetActor(Wall::FirstBehind + 1)->GetProperty()->SetRepresentationToWireframe();
     },
-    MakeOptions(0));
+    MakeHierarchyOptions(0));
   MoveAndRender(comparison, 0.0, "first");
   MoveAndRender(comparison, 0.1, "second");
   EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind + 1), Verdict::NotASurface);
@@ -180,7 +180,7 @@ TEST(CullerHierarchy, PropsThatBecomeAndCeaseToBeCandidates)
 
 TEST(CullerHierarchy, SizeMayChangeAtAnyTime)
 {
-  Comparison comparison(Scenes::BuildWall, MakeOptions(Wall::Count + 1));
+  Comparison comparison(Scenes::BuildWall, MakeHierarchyOptions(Wall::Count + 1));
   EXPECT_EQ(MoveAndRender(comparison, 0.0, "too few").Nodes, 0);
   Tune(comparison.GetCuller(), &vtkNBufferTuning::HierarchySize, Wall::Count);
   Tune(comparison.GetCuller(), &vtkNBufferTuning::HierarchySize, 0);

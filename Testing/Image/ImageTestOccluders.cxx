@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> MakeWallData(bool small = false)
   return Scenes::MakeBox({ 0.0, 0.0, 0.0 }, sizes[small]);
 }
 
-vtkSmartPointer<vtkPolyDataMapper> MakeMapper(vtkPolyData* data)
+vtkSmartPointer<vtkPolyDataMapper> MakeOccluderMapper(vtkPolyData* data)
 {
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData(data);
@@ -65,12 +65,12 @@ template <typename ActorType>
 vtkSmartPointer<ActorType> MakeWall()
 {
   auto actor = vtkSmartPointer<ActorType>::New();
-  actor->SetMapper(MakeMapper(MakeWallData()));
+  actor->SetMapper(MakeOccluderMapper(MakeWallData()));
   actor->GetProperty()->SetColor(1.0, 0.8, 0.1);
   return actor;
 }
 
-void LiftPoints(vtkDataObject* data)
+void LiftPointsOf(vtkDataObject* data)
 {
   TestScene::MovePoints(vtkPolyData::SafeDownCast(data)->GetPoints(), { 0.0, 9.0, 0.0 });
   data->Modified();
@@ -97,13 +97,13 @@ vtkSmartPointer<vtkProp> MakeLODProp(Stage&)
 {
   auto lod = vtkSmartPointer<vtkLODProp3D>::New();
   lod->AutomaticLODSelectionOff();
-  lod->SetSelectedLODID(lod->AddLOD(MakeMapper(MakeWallData()), 0.0));
-  lod->AddLOD(MakeMapper(MakeWallData(true)), 0.0);
+  lod->SetSelectedLODID(lod->AddLOD(MakeOccluderMapper(MakeWallData()), 0.0));
+  lod->AddLOD(MakeOccluderMapper(MakeWallData(true)), 0.0);
   return lod;
 }
 
 /// A wall as a scenario describes it, changed.
-std::function<vtkSmartPointer<vtkProp>(Stage&)> As(
+std::function<vtkSmartPointer<vtkProp>(Stage&)> AsPropOf(
   const std::function<void(TestScene::Prop&)>& change)
 {
   return [change](Stage& stage)
@@ -129,7 +129,7 @@ vtkSmartPointer<vtkProp> MakeGlyphs(Stage&)
   return actor;
 }
 
-vtkSmartPointer<vtkProp> MakeImageActor(Stage&)
+vtkSmartPointer<vtkProp> MakeImageOccluder(Stage&)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(13, 7, 1);
@@ -176,7 +176,7 @@ vtkSmartPointer<vtkProp> MakeLODActor(Stage& stage)
 
 void LiftActorsPoints(vtkProp* prop)
 {
-  LiftPoints(vtkActor::SafeDownCast(prop)->GetMapper()->GetInputDataObject(0, 0));
+  LiftPointsOf(vtkActor::SafeDownCast(prop)->GetMapper()->GetInputDataObject(0, 0));
 }
 #endif
 }
@@ -264,16 +264,16 @@ const Occluder Occluders[] = {
   { "QuadricLODActor", nullptr, nullptr, Verdict::NotAPlainActor },
 #endif
   // Hazard: a follower turns with the camera; its matrix is known when it is drawn.
-  { "Follower", As([](TestScene::Prop& p) { p.Kind = TestScene::PropKind::Follower; }), Shrink,
-    Verdict::NotAPlainActor },
+  { "Follower", AsPropOf([](TestScene::Prop& p) { p.Kind = TestScene::PropKind::Follower; }),
+    Shrink, Verdict::NotAPlainActor },
   // Hazard: glyphs are drawn where the points of another data set are.
   { "Glyphs", MakeGlyphs,
     [](vtkProp* p)
-    { LiftPoints(vtkActor::SafeDownCast(p)->GetMapper()->GetInputDataObject(0, 0)); },
+    { LiftPointsOf(vtkActor::SafeDownCast(p)->GetMapper()->GetInputDataObject(0, 0)); },
     Verdict::NotAPlainMapper },
-  { "ImageActor", MakeImageActor, Shrink, Verdict::NotAPlainActor },
+  { "ImageActor", MakeImageOccluder, Shrink, Verdict::NotAPlainActor },
   // Hazard: a volume covers and hides nothing; what shines through it must be drawn.
-  { "Volume", As([](TestScene::Prop& p) { p.Kind = TestScene::PropKind::Volume; }), Shrink,
+  { "Volume", AsPropOf([](TestScene::Prop& p) { p.Kind = TestScene::PropKind::Volume; }), Shrink,
     Verdict::NotAPlainActor, false },
   // Hazard: a block is switched off in the mapper's attributes: same data, same actor.
   { "CompositeBlockInvisible", MakeComposite,
@@ -286,17 +286,17 @@ const Occluder Occluders[] = {
     [](vtkProp* p)
     {
       auto* blocks = vtkMultiBlockDataSet::SafeDownCast(GetComposite(p)->GetInputDataObject(0, 0));
-      LiftPoints(blocks->GetBlock(0));
+      LiftPointsOf(blocks->GetBlock(0));
       blocks->Modified();
     },
     Verdict::Visible },
   // Hazard: texels become translucent in place, far from actor and mapper.
   { "TextureTurnsTranslucent",
-    As([](TestScene::Prop& p) { p.Texture = TestScene::Translucency::Opaque; }),
+    AsPropOf([](TestScene::Prop& p) { p.Texture = TestScene::Translucency::Opaque; }),
     MakeTextureTranslucent, Verdict::Visible },
   // Hazard: a matrix that mirrors turns the faces round, one that shears moves the corners.
   { "MirroredAndSheared",
-    As(
+    AsPropOf(
       [](TestScene::Prop& p) {
         p.UserMatrix = { -1, 0, 0, 0, 0.02, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
       }),

@@ -22,7 +22,7 @@ using TestScene::PassKind;
 
 namespace
 {
-struct Way : NamedCase
+struct PassWay : NamedCase
 {
   std::function<void(Stage&)> Set;
   /// Culled: what is behind the wall is hidden. Any other one: everything is drawn.
@@ -92,7 +92,7 @@ public:
 };
 vtkStandardNewMacro(UsersPassWithTraits);
 
-class CullerPasses : public testing::TestWithParam<Way>
+class CullerPasses : public testing::TestWithParam<PassWay>
 {
 };
 }
@@ -101,7 +101,7 @@ class CullerPasses : public testing::TestWithParam<Way>
 // their own framebuffers. A prop that is held back must get all of that, too.
 TEST_P(CullerPasses, Wall)
 {
-  const Way& way = this->GetParam();
+  const PassWay& way = this->GetParam();
   ComparisonOptions options;
   options.MultiSamples = way.MultiSamples;
   options.StockReference = way.StockReference;
@@ -141,7 +141,7 @@ TEST_P(CullerPasses, Wall)
 
 namespace
 {
-const Way Ways[] = {
+const PassWay PassWays[] = {
   { "Plain", [](Stage&) {} },
   // Hazard: order-independent transparency tests against the depth of the opaque props.
   { "TranslucentOIT", [](Stage& s) { SetUseOIT(s.GetRenderer(), true); }, Decision::Culled, true },
@@ -264,4 +264,4 @@ const Way Ways[] = {
 };
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, CullerPasses, testing::ValuesIn(Ways), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerPasses, testing::ValuesIn(PassWays), GetCaseName);

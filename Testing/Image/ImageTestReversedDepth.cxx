@@ -35,7 +35,7 @@ using TestScene::PassKind;
 namespace
 {
 /// How reversed depth is drawn.
-struct Way : NamedCase
+struct ReversedWay : NamedCase
 {
   bool Float = false;
   bool InfiniteFar = false;
@@ -44,7 +44,7 @@ struct Way : NamedCase
 };
 
 /// Lets the first renderer of a stage draw in this way. Must be called before the camera is set.
-void Reverse(Stage& stage, const Way& way)
+void Reverse(Stage& stage, const ReversedWay& way)
 {
   if (way.Float)
   {
@@ -60,13 +60,13 @@ void Reverse(Stage& stage, const Way& way)
   stage.GetRenderer()->SetPass(TestScene::MakePass(PassKind::Reversed));
 }
 
-TestScene::ReversedDepthPass* GetPass(Stage& stage)
+TestScene::ReversedDepthPass* GetReversedPass(Stage& stage)
 {
   return static_cast<TestScene::ReversedDepthPass*>(
     static_cast<vtkCameraPass*>(stage.GetRenderer()->GetPass())->GetDelegatePass());
 }
 
-ComparisonOptions GetOptions(const Way& way)
+ComparisonOptions GetReversedOptions(const ReversedWay& way)
 {
   ComparisonOptions options;
   options.MultiSamples = way.MultiSamples;
@@ -75,7 +75,7 @@ ComparisonOptions GetOptions(const Way& way)
   return options;
 }
 
-class CullerReversedDepth : public testing::TestWithParam<Way>
+class CullerReversedDepth : public testing::TestWithParam<ReversedWay>
 {
 protected:
   void SetUp() override
@@ -104,19 +104,19 @@ std::size_t CountDifferences(const TestScene::Picture& a, const TestScene::Pictu
   return count;
 }
 
-const Way Ways[] = { { "Finite" }, { "InfiniteFar", false, true }, { "Float", true },
-  { "FloatInfiniteFar", true, true }, { "MultiSamples4", false, true, 4 },
+const ReversedWay ReversedWays[] = { { "Finite" }, { "InfiniteFar", false, true },
+  { "Float", true }, { "FloatInfiniteFar", true, true }, { "MultiSamples4", false, true, 4 },
   { "FloatMultiSamples4", true, false, 4 } };
-INSTANTIATE_TEST_SUITE_P(Each, CullerReversedDepth, testing::ValuesIn(Ways), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerReversedDepth, testing::ValuesIn(ReversedWays), GetCaseName);
 INSTANTIATE_TEST_SUITE_P(
-  Each, CullerReversedDepthOnce, testing::Values(Way{ "Finite" }), GetCaseName);
+  Each, CullerReversedDepthOnce, testing::Values(ReversedWay{ "Finite" }), GetCaseName);
 }
 
 // Hazard: the nearest props count as the farthest ones. The culler has to hide the same props as
 // with VTK's depth, and VTK has to show the same scene.
 TEST_P(CullerReversedDepth, Wall)
 {
-  ComparisonOptions options = GetOptions(this->GetParam());
+  ComparisonOptions options = GetReversedOptions(this->GetParam());
   Comparison comparison(
     [this](Stage& stage)
     {
@@ -125,7 +125,7 @@ TEST_P(CullerReversedDepth, Wall)
     },
     options);
   Comparison ordinary(
-    Scenes::BuildWall, GetOptions({ "Ordinary", false, false, options.MultiSamples }));
+    Scenes::BuildWall, GetReversedOptions({ "Ordinary", false, false, options.MultiSamples }));
   for (int i = 0; i < 5; ++i)
   {
     for (Comparison* each : { &comparison, &ordinary })
@@ -151,7 +151,7 @@ TEST_P(CullerReversedDepth, Wall)
 // Hazard: after a cut nothing that was visible helps to find what is hidden now.
 TEST_P(CullerReversedDepth, StreetAndCuts)
 {
-  ComparisonOptions options = GetOptions(this->GetParam());
+  ComparisonOptions options = GetReversedOptions(this->GetParam());
   options.Tuning.ReuseWhenStill = false;
   Comparison comparison(
     [this](Stage& stage)
@@ -183,9 +183,9 @@ TEST_P(CullerReversedDepth, DividedProp)
   LargeProps::Units units[2];
   for (const bool isReversed : { false, true })
   {
-    const Way way = isReversed
+    const ReversedWay way = isReversed
       ? this->GetParam()
-      : Way{ "Ordinary", false, false, this->GetParam().MultiSamples, false };
+      : ReversedWay{ "Ordinary", false, false, this->GetParam().MultiSamples, false };
     ComparisonOptions options = LargeProps::MakeOptions();
     options.MultiSamples = way.MultiSamples;
     options.CompareDepth = way.MultiSamples == 0;
@@ -226,7 +226,7 @@ TEST_P(CullerReversedDepth, Ties)
   int redrawn = 0;
   for (const unsigned int seed : { 1U, 2U, 3U })
   {
-    redrawn += Scenes::MoveTheDoorBeforeTies(seed, 8, set, GetOptions(this->GetParam()));
+    redrawn += Scenes::MoveTheDoorBeforeTies(seed, 8, set, GetReversedOptions(this->GetParam()));
   }
   EXPECT_GT(redrawn, 0);
 }
@@ -242,7 +242,7 @@ TEST_P(CullerReversedDepth, TranslucentProps)
       Scenes::AddTranslucentBoxes(stage);
       Scenes::SetWallCamera(stage.GetRenderer());
     },
-    GetOptions(this->GetParam()));
+    GetReversedOptions(this->GetParam()));
   for (int i = 0; i < 5; ++i)
   {
     Scenes::FrameOfWall(comparison, 0.2 * i);
@@ -263,8 +263,8 @@ TEST_P(CullerReversedDepth, TranslucentProps)
 // wall hides what is a tenth farther. VTK's depth cannot tell these two apart.
 TEST_P(CullerReversedDepthOnce, FarAwayFloatsStayPrecise)
 {
-  for (const Way& way : { Way{ "Ordinary", true, false, 0, false }, Way{ "Finite", true },
-         Way{ "InfiniteFar", true, true } })
+  for (const ReversedWay& way : { ReversedWay{ "Ordinary", true, false, 0, false },
+         ReversedWay{ "Finite", true }, ReversedWay{ "InfiniteFar", true, true } })
   {
     SCOPED_TRACE(way.Name);
     ComparisonOptions options = Scenes::MakeExactOptions(301, 173);
@@ -452,7 +452,7 @@ TEST_P(CullerReversedDepthOnce, StepsAsideWhereShadersCompareDepth)
         passes->AddItem(around);
         vtkNew<vtkSequencePass> sequence;
         sequence->SetPasses(passes);
-        GetPass(stage)->Delegate = sequence;
+        GetReversedPass(stage)->Delegate = sequence;
       });
     for (int i = 0; i < 3; ++i)
     {
@@ -472,7 +472,7 @@ TEST_P(CullerReversedDepthOnce, StepsAsideForOtherDepthFunctions)
       [&](Stage& stage)
       {
         Reverse(stage, this->GetParam());
-        GetPass(stage)->DepthFunction = passes;
+        GetReversedPass(stage)->DepthFunction = passes;
         Scenes::BuildWall(stage);
       });
     for (int i = 0; i < 3; ++i)

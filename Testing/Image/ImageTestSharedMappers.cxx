@@ -64,7 +64,7 @@ vtkSmartPointer<vtkMapper> MakeCompositeMapper()
   return mapper.Get();
 }
 
-struct Way : NamedCase
+struct SharedWay : NamedCase
 {
   std::function<void(vtkActor*)> Change;
   bool Matters = true; ///< False for what VTK sets anew for each actor.
@@ -76,13 +76,13 @@ struct MapperKind : NamedCase
 };
 
 /// An actor of a class of the application.
-class OwnActor : public vtkOpenGLActor
+class OwnSharedActor : public vtkOpenGLActor
 {
 public:
-  static OwnActor* New();
-  vtkTypeMacro(OwnActor, vtkOpenGLActor);
+  static OwnSharedActor* New();
+  vtkTypeMacro(OwnSharedActor, vtkOpenGLActor);
 };
-vtkStandardNewMacro(OwnActor);
+vtkStandardNewMacro(OwnSharedActor);
 
 /// A far and a near actor with one mapper, in this order, side by side among other props. The
 /// nearest prop is drawn first, so that what the culler holds back is drawn in the other order.
@@ -107,7 +107,7 @@ void BuildPair(Stage& stage, const MapperKind& kind, const std::function<void(vt
   Scenes::SetWallCamera(stage.GetRenderer());
 }
 
-class CullerSharedMappers : public testing::TestWithParam<std::tuple<Way, MapperKind>>
+class CullerSharedMappers : public testing::TestWithParam<std::tuple<SharedWay, MapperKind>>
 {
 };
 }
@@ -148,7 +148,7 @@ TEST(CullerOwnActors, ThatShareAMapperAreFollowed)
   options.Tuning.RoundSize = 1;
   options.CompareDraws = false; // They are counted by mapper.
   Comparison comparison(
-    [&kind](Stage& stage) { BuildPair<OwnActor>(stage, kind, [](vtkActor*) {}); }, options);
+    [&kind](Stage& stage) { BuildPair<OwnSharedActor>(stage, kind, [](vtkActor*) {}); }, options);
   const int first = static_cast<int>(comparison.Culled.Props.size()) - 2;
   Scenes::FrameOfWall(comparison, 0.0, "alike");
   EXPECT_EQ(comparison.GetVerdict(first), Verdict::Visible);
@@ -167,7 +167,7 @@ namespace
 {
 // Textures and visible edges are missing: where only one of two actors with a mapper has them, VTK
 // itself makes OpenGL errors.
-const Way Ways[] = {
+const SharedWay SharedWays[] = {
   { "Wireframe", [](vtkActor* a) { a->GetProperty()->SetRepresentationToWireframe(); } },
   { "Points", [](vtkActor* a) { a->GetProperty()->SetRepresentationToPoints(); } },
   { "Vertices", [](vtkActor* a) { a->GetProperty()->VertexVisibilityOn(); } },
@@ -192,6 +192,6 @@ const MapperKind MapperKinds[] = { { "PolyData", MakeMapper<vtkPolyDataMapper> }
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerSharedMappers,
-  testing::Combine(testing::ValuesIn(Ways), testing::ValuesIn(MapperKinds)),
+  testing::Combine(testing::ValuesIn(SharedWays), testing::ValuesIn(MapperKinds)),
   [](const testing::TestParamInfo<CullerSharedMappers::ParamType>& info)
   { return std::string(std::get<0>(info.param).Name) + std::get<1>(info.param).Name; });

@@ -29,7 +29,7 @@ using LargeProps::WalkFromOutside;
 namespace
 {
 /// Points, each with a color, a size and an opacity; optionally with vertices for two of three.
-vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points, bool withVertices)
+vtkSmartPointer<vtkPolyData> MakeSplatData(vtkPoints* points, bool withVertices)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
@@ -50,13 +50,13 @@ vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points, bool withVertices)
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> MakeCloud(int count, bool withVertices = false)
+vtkSmartPointer<vtkPolyData> MakeSplatCloud(int count, bool withVertices = false)
 {
-  return MakeData(LargeProps::MakeCloudPoints(count), withVertices);
+  return MakeSplatData(LargeProps::MakeCloudPoints(count), withVertices);
 }
 
 /// Points on a lattice with steps of 1, each of them twice, with another color.
-vtkSmartPointer<vtkPolyData> MakeLattice()
+vtkSmartPointer<vtkPolyData> MakeSplatLattice()
 {
   std::vector<glm::dvec3> places;
   for (int x = -20; x < 20; ++x)
@@ -72,10 +72,10 @@ vtkSmartPointer<vtkPolyData> MakeLattice()
   {
     points->InsertNextPoint(glm::value_ptr(place));
   }
-  return MakeData(points, false);
+  return MakeSplatData(points, false);
 }
 
-vtkPointGaussianMapper* GetMapper(Stage& stage)
+vtkPointGaussianMapper* GetSplatMapper(Stage& stage)
 {
   return static_cast<vtkPointGaussianMapper*>(stage.GetActor(0)->GetMapper());
 }
@@ -95,42 +95,42 @@ vtkPointGaussianMapper* AddSplats(Stage& stage, vtkPolyData* data)
   return mapper;
 }
 
-const LargeProps::Case Cases[] = {
+const LargeProps::Case SplatCases[] = {
   { "CloudAndWalls",
     [](Stage& stage)
     {
-      AddSplats(stage, MakeCloud(4000));
+      AddSplats(stage, MakeSplatCloud(4000));
       AddTallWalls(stage);
     } },
   { "WallsFirst",
     [](Stage& stage)
     {
       AddTallWalls(stage);
-      AddSplats(stage, MakeCloud(4000, true));
+      AddSplats(stage, MakeSplatCloud(4000, true));
     } },
   { "LargePoints",
     [](Stage& stage)
     {
-      AddSplats(stage, MakeCloud(4000));
+      AddSplats(stage, MakeSplatCloud(4000));
       stage.GetActor(0)->GetProperty()->SetPointSize(60.0);
     } },
   { "Lattice",
     [](Stage& stage)
     {
-      AddSplats(stage, MakeLattice());
+      AddSplats(stage, MakeSplatLattice());
       Scenes::AddBox(stage, 1.0, 1.0, 0.0, 6.0, 6.0, 6.0); // shares planes with the points
       AddTallWalls(stage);
     } },
   { "OneColor",
     [](Stage& stage)
     {
-      AddSplats(stage, MakeCloud(4000, true))->ScalarVisibilityOff();
+      AddSplats(stage, MakeSplatCloud(4000, true))->ScalarVisibilityOff();
       AddTallWalls(stage);
     } },
   { "ScaledAndTurned",
     [](Stage& stage)
     {
-      AddSplats(stage, MakeCloud(4000));
+      AddSplats(stage, MakeSplatCloud(4000));
       stage.GetActor(0)->RotateZ(20.0);
       stage.GetActor(0)->SetScale(1.0, 0.8, 1.1);
       AddTallWalls(stage);
@@ -140,14 +140,14 @@ const LargeProps::Case Cases[] = {
     {
       vtkNew<vtkPlane> plane;
       plane->SetNormal(0.6, 0.0, 0.8);
-      AddSplats(stage, MakeCloud(4000))->AddClippingPlane(plane);
+      AddSplats(stage, MakeSplatCloud(4000))->AddClippingPlane(plane);
       AddTallWalls(stage);
     } },
   // Both mappers have the same buffer, which the other one shifts.
   { "PointsOfAnotherMapper",
     [](Stage& stage)
     {
-      const vtkSmartPointer<vtkPolyData> data = MakeCloud(4000, true);
+      const vtkSmartPointer<vtkPolyData> data = MakeSplatCloud(4000, true);
       AddSplats(stage, data);
       const double white[3] = { 1.0, 1.0, 1.0 };
       stage.AddActor(data, white);
@@ -157,8 +157,8 @@ const LargeProps::Case Cases[] = {
   { "TwoProps",
     [](Stage& stage)
     {
-      AddSplats(stage, MakeLattice());
-      AddSplats(stage, MakeLattice());
+      AddSplats(stage, MakeSplatLattice());
+      AddSplats(stage, MakeSplatLattice());
       AddTallWalls(stage);
     } },
 };
@@ -167,7 +167,7 @@ const LargeProps::Case Cases[] = {
 class CullerSplats : public testing::TestWithParam<LargeProps::Case>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerSplats, testing::ValuesIn(Cases), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerSplats, testing::ValuesIn(SplatCases), GetCaseName);
 
 // Hazard: points reach out of the boxes of their units, or are drawn in another order.
 TEST_P(CullerSplats, SameImage)
@@ -191,7 +191,7 @@ enum class Outcome
   Blended
 };
 
-struct Change : NamedCase
+struct SplatChange : NamedCase
 {
   Comparison::Change Apply;
   Outcome Afterwards = Outcome::Divided;
@@ -201,40 +201,42 @@ struct Change : NamedCase
 const char* const Discs = "//VTK::Color::Impl\n"
                           "if (dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy) > 1.0) { discard; }\n";
 
-const Change Changes[] = {
+const SplatChange SplatChanges[] = {
   { "Points",
     [](Stage& stage)
     {
-      vtkPolyData* data = vtkPolyData::SafeDownCast(GetMapper(stage)->GetInputDataObject(0, 0));
+      vtkPolyData* data =
+        vtkPolyData::SafeDownCast(GetSplatMapper(stage)->GetInputDataObject(0, 0));
       TestScene::MovePoints(data->GetPoints(), { 1.0, 2.0, 0.5 }, 0.3);
       data->Modified();
     } },
-  { "FewerPoints", [](Stage& stage) { GetMapper(stage)->SetInputData(MakeCloud(500)); } },
-  { "Vertices", [](Stage& stage) { GetMapper(stage)->SetInputData(MakeCloud(3000, true)); } },
+  { "FewerPoints", [](Stage& stage) { GetSplatMapper(stage)->SetInputData(MakeSplatCloud(500)); } },
+  { "Vertices",
+    [](Stage& stage) { GetSplatMapper(stage)->SetInputData(MakeSplatCloud(3000, true)); } },
   { "PointSize", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetPointSize(31.0); } },
-  { "Colors", [](Stage& stage) { GetMapper(stage)->ScalarVisibilityOff(); } },
+  { "Colors", [](Stage& stage) { GetSplatMapper(stage)->ScalarVisibilityOff(); } },
   { "Actor", [](Stage& stage) { stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3); } },
   { "Mapper",
     [](Stage& stage)
     {
       vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputData(MakeCloud(2000, true));
+      mapper->SetInputData(MakeSplatCloud(2000, true));
       stage.GetActor(0)->SetMapper(mapper);
     } },
   { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
   { "Discs",
     [](Stage& stage)
     {
-      GetMapper(stage)->SetScaleFactor(0.4);
-      GetMapper(stage)->SetSplatShaderCode(Discs);
+      GetSplatMapper(stage)->SetScaleFactor(0.4);
+      GetSplatMapper(stage)->SetSplatShaderCode(Discs);
     },
     Outcome::Whole },
   { "DiscsOfSizes",
     [](Stage& stage)
     {
-      GetMapper(stage)->SetScaleFactor(1.0);
-      GetMapper(stage)->SetScaleArray("sizes");
-      GetMapper(stage)->SetSplatShaderCode(Discs);
+      GetSplatMapper(stage)->SetScaleFactor(1.0);
+      GetSplatMapper(stage)->SetScaleArray("sizes");
+      GetSplatMapper(stage)->SetSplatShaderCode(Discs);
     },
     Outcome::Whole },
   { "Spheres", [](Stage& stage) { stage.GetActor(0)->GetProperty()->RenderPointsAsSpheresOn(); },
@@ -243,47 +245,48 @@ const Change Changes[] = {
     [](Stage& stage)
     {
       vtkNew<vtkMultiBlockDataSet> blocks;
-      blocks->SetBlock(0, MakeCloud(1000));
-      blocks->SetBlock(1, MakeCloud(300, true));
-      GetMapper(stage)->SetInputDataObject(blocks);
+      blocks->SetBlock(0, MakeSplatCloud(1000));
+      blocks->SetBlock(1, MakeSplatCloud(300, true));
+      GetSplatMapper(stage)->SetInputDataObject(blocks);
     },
     Outcome::Whole },
   { "Translucent", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); },
     Outcome::Whole },
   { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); },
     Outcome::Whole },
-  { "ScaleFactor", [](Stage& stage) { GetMapper(stage)->SetScaleFactor(0.4); }, Outcome::Blended },
+  { "ScaleFactor", [](Stage& stage) { GetSplatMapper(stage)->SetScaleFactor(0.4); },
+    Outcome::Blended },
   { "Sizes",
     [](Stage& stage)
     {
-      GetMapper(stage)->SetScaleFactor(1.0);
-      GetMapper(stage)->SetScaleArray("sizes");
+      GetSplatMapper(stage)->SetScaleFactor(1.0);
+      GetSplatMapper(stage)->SetScaleArray("sizes");
     },
     Outcome::Blended },
   { "CodeWithOpacity",
     [](Stage& stage)
     {
-      GetMapper(stage)->SetScaleFactor(0.4);
-      GetMapper(stage)->SetSplatShaderCode("//VTK::Color::Impl\nopacity = opacity * 0.5;\n");
+      GetSplatMapper(stage)->SetScaleFactor(0.4);
+      GetSplatMapper(stage)->SetSplatShaderCode("//VTK::Color::Impl\nopacity = opacity * 0.5;\n");
     },
     Outcome::Blended },
-  { "Emissive", [](Stage& stage) { GetMapper(stage)->EmissiveOn(); }, Outcome::Blended },
+  { "Emissive", [](Stage& stage) { GetSplatMapper(stage)->EmissiveOn(); }, Outcome::Blended },
   { "EmissiveSplats",
     [](Stage& stage)
     {
-      GetMapper(stage)->EmissiveOn();
-      GetMapper(stage)->SetScaleFactor(0.4);
+      GetSplatMapper(stage)->EmissiveOn();
+      GetSplatMapper(stage)->SetScaleFactor(0.4);
     },
     Outcome::Blended },
-  { "Opacities", [](Stage& stage) { GetMapper(stage)->SetOpacityArray("opacities"); },
+  { "Opacities", [](Stage& stage) { GetSplatMapper(stage)->SetOpacityArray("opacities"); },
     Outcome::Blended },
 };
 }
 
-class CullerSplatsChanges : public testing::TestWithParam<Change>
+class CullerSplatsChanges : public testing::TestWithParam<SplatChange>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerSplatsChanges, testing::ValuesIn(Changes), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerSplatsChanges, testing::ValuesIn(SplatChanges), GetCaseName);
 
 // Hazard: the data, or the way in which they are drawn, have changed, and the former points are
 // used; or splats begin to blend with what is drawn before them, which must then be neither left
@@ -293,7 +296,7 @@ TEST_P(CullerSplatsChanges, SameImage)
   Comparison comparison(
     [](Stage& stage)
     {
-      AddSplats(stage, MakeCloud(4000));
+      AddSplats(stage, MakeSplatCloud(4000));
       AddTallWalls(stage);
     },
     MakeOptionsWithoutDraws());
@@ -312,7 +315,7 @@ TEST(CullerSplatsBlending, InFrontOfWhatTheyHide)
       [emissive](Stage& stage)
       {
         Scenes::BuildWall(stage);
-        const vtkSmartPointer<vtkPolyData> data = MakeCloud(200);
+        const vtkSmartPointer<vtkPolyData> data = MakeSplatCloud(200);
         AddSplats(stage, data);
         vtkActor* actor = stage.GetActor(static_cast<int>(stage.Props.size()) - 1);
         auto* mapper = static_cast<vtkPointGaussianMapper*>(actor->GetMapper());
@@ -336,7 +339,7 @@ TEST(CullerSplatsPicking, SamePoints)
   Comparison comparison(
     [](Stage& stage)
     {
-      AddSplats(stage, MakeCloud(800, true));
+      AddSplats(stage, MakeSplatCloud(800, true));
       AddTallWalls(stage);
     },
     MakeOptionsWithoutDraws());
@@ -347,6 +350,6 @@ TEST(CullerSplatsPicking, SamePoints)
 TEST(CullerSplatsSettings, SizeAndSwitch)
 {
   Comparison comparison(
-    [](Stage& stage) { AddSplats(stage, MakeCloud(1000)); }, MakeOptionsWithoutDraws(50));
+    [](Stage& stage) { AddSplats(stage, MakeSplatCloud(1000)); }, MakeOptionsWithoutDraws(50));
   LargeProps::CompareSwitch(comparison, WalkFromOutside, 1000 / 50);
 }

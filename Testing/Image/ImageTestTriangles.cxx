@@ -11,17 +11,17 @@
 
 namespace
 {
-constexpr int Width = 160;
-constexpr int Height = 120;
+constexpr int TrianglesWidth = 160;
+constexpr int TrianglesHeight = 120;
 
 /// A wall with a notch at the upper right, and behind it a triangle. The upper right corner of the
 /// triangle's box is in the notch, and no corner of the triangle. Its place in Stage::Props is 2. A
 /// prop that is seen in the notch, far behind, is the one that is held back where all are visible.
 void BuildNotch(Stage& stage)
 {
-  Scenes::SetPixelCamera(stage.GetRenderer(), Width, Height);
-  Scenes::AddQuad(stage, 0, 0, Width, 60, 0.0);
-  Scenes::AddQuad(stage, 0, 60, 80, Height, 0.0);
+  Scenes::SetPixelCamera(stage.GetRenderer(), TrianglesWidth, TrianglesHeight);
+  Scenes::AddQuad(stage, 0, 0, TrianglesWidth, 60, 0.0);
+  Scenes::AddQuad(stage, 0, 60, 80, TrianglesHeight, 0.0);
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(20, 20, -5);
   points->InsertNextPoint(130, 20, -5);
@@ -41,12 +41,12 @@ vtkPolyData* GetTriangle(Stage& stage)
   return vtkPolyData::SafeDownCast(stage.GetActor(2)->GetMapper()->GetInput());
 }
 
-struct Change : NamedCase
+struct TriangleChange : NamedCase
 {
   Comparison::Change Apply;
 };
 
-const Change Changes[] = {
+const TriangleChange TriangleChanges[] = {
   { "Points",
     [](Stage& stage)
     {
@@ -73,14 +73,14 @@ const Change Changes[] = {
 };
 }
 
-class CullerTriangles : public testing::TestWithParam<Change>
+class CullerTriangles : public testing::TestWithParam<TriangleChange>
 {
 };
 
 // Hazard: triangles are not tested, or the triangles of former data are tested.
 TEST_P(CullerTriangles, BehindTheEdgeOfAWall)
 {
-  ComparisonOptions options = Scenes::MakeExactOptions(Width, Height, 4);
+  ComparisonOptions options = Scenes::MakeExactOptions(TrianglesWidth, TrianglesHeight, 4);
   options.Backend = vtkNBufferCuller::CPU;
   Comparison comparison(BuildNotch, options);
   for (int i = 0; i < 5; ++i)
@@ -98,4 +98,4 @@ TEST_P(CullerTriangles, BehindTheEdgeOfAWall)
   EXPECT_EQ(comparison.GetStatistics().HiddenByTriangles, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, CullerTriangles, testing::ValuesIn(Changes), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Each, CullerTriangles, testing::ValuesIn(TriangleChanges), GetCaseName);

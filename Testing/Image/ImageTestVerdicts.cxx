@@ -25,26 +25,27 @@ namespace
 {
 constexpr int Side = 8;
 constexpr int PlacesOfKind = Side * Side;
-constexpr int Kinds = 3;
+constexpr int KindsOfProps = 3;
 constexpr int Copies = 4; // There are so many parts at each place.
-constexpr int Count = Copies * Kinds * PlacesOfKind;
+constexpr int Count = Copies * KindsOfProps * PlacesOfKind;
 
 /// Where a part is and what the verdict on it is to be, seen from (0, -30, 0) with a wall at y = 0.
-struct Place
+struct VerdictPlace
 {
   glm::dvec3 Center;
   Verdict Expected;
 };
 
 /// The three kinds take turns, and the copies of a part are far from it in the list.
-Place GetPlace(int part)
+VerdictPlace GetPlace(int part)
 {
-  const int n = part / Kinds % PlacesOfKind;
+  const int n = part / KindsOfProps % PlacesOfKind;
   const glm::dvec3 inGrid(n % Side - 3.5, 0.0, n / Side - 3.5);
-  const Place kinds[Kinds] = { { inGrid + glm::dvec3(0.0, -5.0, 0.0), Verdict::Visible },
+  const VerdictPlace kinds[KindsOfProps] = { { inGrid + glm::dvec3(0.0, -5.0, 0.0),
+                                               Verdict::Visible },
     { inGrid + glm::dvec3(0.0, 5.0, 0.0), Verdict::Hidden },
     { inGrid + glm::dvec3(100.0, 0.0, 0.0), Verdict::Outside } };
-  return kinds[part % Kinds];
+  return kinds[part % KindsOfProps];
 }
 
 void LookAtWall(Stage& stage, double x)
@@ -117,7 +118,7 @@ void SetBlocks(vtkActor* actor)
   actor->SetMapper(mapper);
 }
 
-struct Kind : NamedCase
+struct VerdictKind : NamedCase
 {
   int Corners;
   int UnitSize;
@@ -125,12 +126,12 @@ struct Kind : NamedCase
   int First = 0; ///< The number of the first part.
   int UnitsOfPlace = 1;
 };
-const Kind KindsOfParts[] = { { "Instances", 1, 24, SetGlyphs, 0, 2 },
+const VerdictKind KindsOfParts[] = { { "Instances", 1, 24, SetGlyphs, 0, 2 },
   { "Blocks", 3, 4, SetBlocks, 1, Copies }, { "Triangles", 3, 4, nullptr },
   { "Points", 1, 4, nullptr } };
 }
 
-class CullerVerdicts : public testing::TestWithParam<Kind>
+class CullerVerdicts : public testing::TestWithParam<VerdictKind>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerVerdicts, testing::ValuesIn(KindsOfParts), GetCaseName);
@@ -174,7 +175,7 @@ TEST_P(CullerVerdicts, EachPartHasItsOwn)
   const int units = PlacesOfKind * this->GetParam().UnitsOfPlace;
   const int first = this->GetParam().First;
   const int hidden = first + 1;
-  ASSERT_EQ(statistics.Units, Kinds * units);
+  ASSERT_EQ(statistics.Units, KindsOfProps * units);
   EXPECT_EQ(statistics.UnitsHidden, units);
   EXPECT_EQ(statistics.UnitsOutside, units);
   for (int part = 0; part < Count; ++part)

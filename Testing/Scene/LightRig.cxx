@@ -27,7 +27,7 @@ glm::dvec3 GetVector(const Change& change)
   return { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) };
 }
 
-void SetUp(vtkLight* light, const Light& description)
+void SetUpLight(vtkLight* light, const Light& description)
 {
   switch (description.Kind)
   {
@@ -58,7 +58,7 @@ void SetUp(vtkLight* light, const Light& description)
 vtkSmartPointer<vtkLight> MakeLight(const Light& light)
 {
   auto result = vtkSmartPointer<vtkLight>::New();
-  SetUp(result, light);
+  SetUpLight(result, light);
   return result;
 }
 
@@ -265,7 +265,7 @@ void LightRig::Apply(const Change& change)
   }
   for (std::size_t i = 0; hasTarget && i < this->Places.size(); ++i)
   {
-    TestScene::SetUp(this->Places[i].Lights[change.Target], light);
+    TestScene::SetUpLight(this->Places[i].Lights[change.Target], light);
   }
 }
 }

@@ -49,7 +49,7 @@ double GetDistance(const std::vector<double>& corners, const Ray& ray, int trian
   return t;
 }
 
-void ExpectSame(const TriangleTree& tree, const std::vector<double>& corners, const Ray& ray)
+void ExpectSameRay(const TriangleTree& tree, const std::vector<double>& corners, const Ray& ray)
 {
   const std::set<int> expected = GetCrossings(corners, ray);
   std::set<int> found;
@@ -94,7 +94,7 @@ TEST_F(TreeTest, RandomTriangles)
         ray.Direction[k] = i % 4 == 0 ? (i / 4 % 3 == k) : GetRandom(random);
       }
       ray.Far = i % 2 ? 1.0 : ray.Far;
-      ASSERT_NO_FATAL_FAILURE(ExpectSame(tree, corners, ray));
+      ASSERT_NO_FATAL_FAILURE(ExpectSameRay(tree, corners, ray));
     }
   }
 }
@@ -114,7 +114,7 @@ TEST_F(TreeTest, TrianglesOnAGrid)
     Ray ray = { { grid(), grid(), grid() }, { grid() - 1.0, grid() - 1.0, grid() - 1.0 } };
     if (vtkMath::Norm(ray.Direction) > 0.0)
     {
-      ASSERT_NO_FATAL_FAILURE(ExpectSame(tree, corners, ray));
+      ASSERT_NO_FATAL_FAILURE(ExpectSameRay(tree, corners, ray));
     }
   }
 }
@@ -167,7 +167,7 @@ TEST_F(TreeTest, ScenesByBruteForce)
     {
       for (int x = y % 7; x < oracle.GetWidth(); x += 7)
       {
-        ExpectSame(oracle.GetTree(), corners, oracle.GetEyeRay(x, y));
+        ExpectSameRay(oracle.GetTree(), corners, oracle.GetEyeRay(x, y));
         Oracle::Receiver receiver;
         if (!oracle.GetReceiver(x, y, 0.0, 0.0, receiver))
         {

@@ -87,7 +87,7 @@ vtkGlyph3DMapper* AddGlyphs(const Stage& stage, vtkPolyData* data, vtkPolyData* 
   return mapper;
 }
 
-void Prepare(SceneBuilder& scene)
+void PrepareGlyphs(SceneBuilder& scene)
 {
   scene.Floor(5.0);
   scene.Directional({ 0.6, 0.35, -0.7 });
@@ -128,7 +128,7 @@ using PassGlyphs = OffscreenFixture;
 TEST_F(PassGlyphs, MatricesAreThoseThatVTKUploads)
 {
   const vtkSmartPointer<vtkPolyData> data = MakeData();
-  const Stage stage = SetStage(Prepare);
+  const Stage stage = SetStage(PrepareGlyphs);
   vtkGlyph3DMapper* mapper = AddGlyphs(stage, data, MakeBox({ 0, 0, 0 }, { 0.4, 0.3, 0.2 }));
   vtkNew<MatrixReader> reader;
   vtkNew<vtkInformation> keys;
@@ -209,7 +209,7 @@ TEST_F(PassGlyphs, MatricesAreThoseThatVTKUploads)
 TEST_F(PassGlyphs, InstancesThatAreNowhereCastNothing)
 {
   const vtkSmartPointer<vtkPolyData> data = MakeData();
-  const Stage stage = SetStage(Prepare);
+  const Stage stage = SetStage(PrepareGlyphs);
   vtkGlyph3DMapper* mapper = AddGlyphs(stage, data, MakeBox({ 0, 0, 0 }, { 0.4, 0.3, 0.2 }));
   mapper->SetScaleArray("sizes");
   mapper->SetScaleMode(vtkGlyph3DMapper::SCALE_BY_MAGNITUDE);
@@ -228,7 +228,7 @@ TEST_F(PassGlyphs, ChangesAreNoticed)
 {
   const vtkSmartPointer<vtkPolyData> data = MakeData();
   const vtkSmartPointer<vtkPolyData> source = MakeBox({ 0, 0, 0 }, { 0.4, 0.3, 0.2 });
-  const Stage stage = SetStage(Prepare);
+  const Stage stage = SetStage(PrepareGlyphs);
   vtkGlyph3DMapper* mapper = AddGlyphs(stage, data, source);
   vtkActor* actor = GetActors(stage.GetRenderer()).back();
   const auto pass = AddPass(stage);
@@ -290,12 +290,12 @@ TEST_F(PassGlyphs, ChangesAreNoticed)
 TEST_F(PassGlyphs, CastAsActorsInTheirPlaces)
 {
   const vtkSmartPointer<vtkPolyData> source = MakeBox({ 0, 0, 0 }, { 0.4, 0.3, 0.2 });
-  const Stage stage = SetStage(Prepare);
+  const Stage stage = SetStage(PrepareGlyphs);
   vtkGlyph3DMapper* mapper = AddGlyphs(stage, MakeData(), source);
   mapper->SetScaleArray("vectors");
   mapper->SetScaleMode(vtkGlyph3DMapper::SCALE_BY_COMPONENTS); // some of them mirrored
   mapper->SetOrientationArray("vectors");
-  const Stage actors = SetStage(Prepare);
+  const Stage actors = SetStage(PrepareGlyphs);
   for (const std::array<double, 16>& place : vtkNBufferGlyphs::GetMatrices(mapper))
   {
     vtkNew<vtkMatrix4x4> matrix;
@@ -324,7 +324,7 @@ TEST_F(PassGlyphs, InstancesAreCulledOneByOne)
   {
     data->GetPoints()->SetPoint(i, 100.0 + i, 0.0, 1.0);
   }
-  const Stage stage = SetStage(Prepare);
+  const Stage stage = SetStage(PrepareGlyphs);
   AddGlyphs(stage, data, MakeBox({ 0, 0, 0 }, { 0.4, 0.3, 0.2 }));
   const auto pass = AddPass(stage);
   for (const int mode : { vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeClampPass::Clamped })

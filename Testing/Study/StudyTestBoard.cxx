@@ -28,7 +28,7 @@ const char* const Board = R"((kicad_pcb (version 20211014)
   (gr_line (start -99 0) (end 30 40) (layer "F.SilkS"))
 ))";
 
-std::string GetError(const std::string& text)
+std::string GetBoardError(const std::string& text)
 {
   try
   {
@@ -72,15 +72,16 @@ TEST(StudyBoard, ReadsTheFormerFormat)
 
 TEST(StudyBoard, SaysWhatIsWrongWithAFile)
 {
-  EXPECT_EQ(GetError(""), "no board: no parenthesis opens at byte 0");
-  EXPECT_EQ(GetError("(kicad_sch)"), "no board: it does not begin with (kicad_pcb");
-  EXPECT_EQ(GetError("(kicad_pcb)"), "no board: it has no outline on Edge.Cuts");
-  EXPECT_EQ(GetError("(kicad_pcb (general"), "no board: a parenthesis is not closed at byte 19");
-  EXPECT_EQ(GetError("(kicad_pcb \"x"), "no board: a quotation is not closed at byte 13");
-  EXPECT_EQ(GetError("(kicad_pcb (footprint \"R\"))"), "no board: the part R has no place");
-  EXPECT_EQ(GetError("(kicad_pcb (footprint \"R\" (at 1 b)))"),
+  EXPECT_EQ(GetBoardError(""), "no board: no parenthesis opens at byte 0");
+  EXPECT_EQ(GetBoardError("(kicad_sch)"), "no board: it does not begin with (kicad_pcb");
+  EXPECT_EQ(GetBoardError("(kicad_pcb)"), "no board: it has no outline on Edge.Cuts");
+  EXPECT_EQ(
+    GetBoardError("(kicad_pcb (general"), "no board: a parenthesis is not closed at byte 19");
+  EXPECT_EQ(GetBoardError("(kicad_pcb \"x"), "no board: a quotation is not closed at byte 13");
+  EXPECT_EQ(GetBoardError("(kicad_pcb (footprint \"R\"))"), "no board: the part R has no place");
+  EXPECT_EQ(GetBoardError("(kicad_pcb (footprint \"R\" (at 1 b)))"),
     "no board: (at ...) lacks its number 2, or it is none");
-  EXPECT_EQ(GetError(std::string(200, '(')).substr(0, 47),
+  EXPECT_EQ(GetBoardError(std::string(200, '(')).substr(0, 47),
     "no board: parentheses are nested too deeply at ");
 }
 
@@ -89,6 +90,6 @@ TEST(StudyBoard, EveryFileThatIsCutOffIsAnError)
   const std::string text = Board;
   for (std::size_t size = 0; size < text.size(); ++size)
   {
-    EXPECT_NE(GetError(text.substr(0, size)), "none") << size << " bytes";
+    EXPECT_NE(GetBoardError(text.substr(0, size)), "none") << size << " bytes";
   }
 }

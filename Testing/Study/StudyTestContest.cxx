@@ -17,8 +17,8 @@ namespace
 {
 using namespace NBufferStudy;
 
-constexpr int Width = 301;
-constexpr int Height = 203;
+constexpr int ContestWidth = 301;
+constexpr int ContestHeight = 203;
 constexpr double Wall = 50.0;
 
 void PutBox(DepthFrame& frame, const std::array<double, 6>& bounds, bool visible)
@@ -32,13 +32,13 @@ void PutBox(DepthFrame& frame, const std::array<double, 6>& bounds, bool visible
 DepthFrame MakeFrame()
 {
   DepthFrame frame;
-  frame.Width = Width;
-  frame.Height = Height;
-  frame.Projection = StudyTest::LookAlongY(Width, Height);
-  frame.Depth.assign(static_cast<std::size_t>(Width) * Height, 1.0f);
-  for (const auto& [x, y] : Pixels(Width / 2, Height))
+  frame.Width = ContestWidth;
+  frame.Height = ContestHeight;
+  frame.Projection = StudyTest::LookAlongY(ContestWidth, ContestHeight);
+  frame.Depth.assign(static_cast<std::size_t>(ContestWidth) * ContestHeight, 1.0f);
+  for (const auto& [x, y] : Pixels(ContestWidth / 2, ContestHeight))
   {
-    frame.Depth[static_cast<std::size_t>(y) * Width + x] = StudyTest::GetDepth(Wall);
+    frame.Depth[static_cast<std::size_t>(y) * ContestWidth + x] = StudyTest::GetDepth(Wall);
   }
   const std::tuple<double, double, bool> boxes[] = { { -60.0, 70.0, false }, { -50.0, 90.0, false },
     { -30.0, 40.0, true }, { 20.0, 70.0, true }, { -2.0, 70.0, true } };
@@ -51,7 +51,8 @@ DepthFrame MakeFrame()
 
 TEST(StudyContest, WhatIsHiddenForAllAndForNone)
 {
-  const std::vector<ContenderPointer> contenders = MakeContenders(Width, Height, 1000.0);
+  const std::vector<ContenderPointer> contenders =
+    MakeContenders(ContestWidth, ContestHeight, 1000.0);
   std::set<std::string> names;
   for (const ContenderPointer& contender : contenders)
   {

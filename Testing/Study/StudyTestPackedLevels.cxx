@@ -28,7 +28,7 @@ TEST_F(OffscreenFixture, PackedLevelsAnswerAsArrays)
     {
       GTEST_SKIP() << obstacle;
     }
-    const DepthTarget target(GetDepthFormats()[3], width, height, true);
+    const DepthTarget target(GetTargetFormats()[3], width, height, true);
     target.Fill(static_cast<unsigned int>(width));
     target.Bind(0, 0, width, height);
     std::string why;

@@ -20,8 +20,8 @@ namespace
 {
 using namespace NBufferPeers;
 
-constexpr int Width = 320;
-constexpr int Height = 200;
+constexpr int QueriesWidth = 320;
+constexpr int QueriesHeight = 200;
 
 vtkNBufferBox MakeCubeAt(double x, double y, double size = 0.5)
 {
@@ -35,7 +35,7 @@ class KnowingHost : public QueryHost
 public:
   KnowingHost(std::vector<vtkNBufferBox> boxes, int delay)
     : Boxes(std::move(boxes))
-    , Projection(StudyTest::LookAlongY(Width, Height))
+    , Projection(StudyTest::LookAlongY(QueriesWidth, QueriesHeight))
     , Delay(delay)
   {
   }
@@ -197,7 +197,7 @@ TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
 {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> place(-40.0, 40.0);
-  const vtkNBufferProjection projection = StudyTest::LookAlongY(Width, Height);
+  const vtkNBufferProjection projection = StudyTest::LookAlongY(QueriesWidth, QueriesHeight);
   int asked = 0;
   for (int n = 0; n < 2000; ++n)
   {
@@ -225,7 +225,7 @@ TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
       lowest = glm::min(lowest, ndc);
       highest = glm::max(highest, ndc);
     }
-    const glm::dvec2 size(Width, Height);
+    const glm::dvec2 size(QueriesWidth, QueriesHeight);
     const glm::dvec2 least = glm::dvec2(box.Screen.Slack) + 0.25 / size;
     for (const glm::dvec2& corner : projection.GetCorners(box.Box))
     {
@@ -240,7 +240,7 @@ TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
 
 TEST(StudyQueries, WhatTouchesTheNearPlaneIsNotQueried)
 {
-  const vtkNBufferProjection projection = StudyTest::LookAlongY(Width, Height);
+  const vtkNBufferProjection projection = StudyTest::LookAlongY(QueriesWidth, QueriesHeight);
   int inside = 0;
   for (double y = 0.0; y < 4.0; y += 0.001)
   {

@@ -17,7 +17,7 @@ using NBufferPeers::ReduceMethod;
 using NBufferPeers::SingleLevel;
 using StudyTest::Image;
 
-constexpr std::pair<int, int> Sizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 16, 16 },
+constexpr std::pair<int, int> LevelSizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 16, 16 },
   { 17, 33 }, { 61, 45 }, { 64, 64 }, { 301, 173 }, { 511, 129 } };
 
 class StudySingleLevel : public OffscreenFixtureWithParam<ReduceMethod>
@@ -70,7 +70,7 @@ protected:
 
 TEST_P(StudySingleLevel, IsTheDoubleLoop)
 {
-  for (const auto& [width, height] : Sizes)
+  for (const auto& [width, height] : LevelSizes)
   {
     this->Compare(Image(width, height, 7));
   }

@@ -135,9 +135,9 @@ void AllocateTexture(GLenum format, int width, int height)
 }
 }
 
-const std::vector<DepthFormat>& GetDepthFormats()
+const std::vector<TargetFormat>& GetTargetFormats()
 {
-  static const std::vector<DepthFormat> formats = { { "Depth16", GL_DEPTH_COMPONENT16 },
+  static const std::vector<TargetFormat> formats = { { "Depth16", GL_DEPTH_COMPONENT16 },
     { "Depth24", GL_DEPTH_COMPONENT24 }, { "Depth32", GL_DEPTH_COMPONENT32 },
     { "Depth32F", GL_DEPTH_COMPONENT32F }, { "Depth24Stencil8", GL_DEPTH24_STENCIL8 },
     { "Depth32FStencil8", GL_DEPTH32F_STENCIL8 } };
@@ -145,7 +145,7 @@ const std::vector<DepthFormat>& GetDepthFormats()
 }
 
 DepthTarget::DepthTarget(
-  const DepthFormat& format, int width, int height, bool texture, int samples)
+  const TargetFormat& format, int width, int height, bool texture, int samples)
   : Texture(texture)
   , Stencil(HasStencil(format.InternalFormat))
   , Width(width)

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-struct DepthFormat
+struct TargetFormat
 {
   const char* Name;
   unsigned int InternalFormat; ///< The sized format of OpenGL, with or without stencil.
@@ -17,7 +17,7 @@ struct DepthFormat
 
 /// Returns the formats with 16, 24 and 32 bits, with floats, and with 24 bits and floats packed
 /// with stencil.
-const std::vector<DepthFormat>& GetDepthFormats();
+const std::vector<TargetFormat>& GetTargetFormats();
 
 /// An OpenGL context must be current for all functions, the destructor included.
 class DepthTarget
@@ -25,7 +25,7 @@ class DepthTarget
 public:
   /// With `samples` 0 there is no multisampling. The attachment is a texture if `texture` is true,
   /// else a renderbuffer.
-  DepthTarget(const DepthFormat& format, int width, int height, bool texture, int samples = 0);
+  DepthTarget(const TargetFormat& format, int width, int height, bool texture, int samples = 0);
   ~DepthTarget();
   DepthTarget(const DepthTarget&) = delete;
   void operator=(const DepthTarget&) = delete;

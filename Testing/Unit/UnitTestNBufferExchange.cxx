@@ -55,7 +55,7 @@ std::vector<float> GetMinima(const std::vector<std::vector<float>>& all)
   return minima;
 }
 
-std::vector<float> Reduce(const std::vector<float>& depth, vtkNBufferExtremum extremum)
+std::vector<float> ReduceByTiles(const std::vector<float>& depth, vtkNBufferExtremum extremum)
 {
   vtkNBufferLevels levels;
   levels.BuildBase(depth.data(), Width, Height, Tile, extremum);
@@ -98,13 +98,13 @@ TEST(Exchange, FarthestOfTileThenMinimumOverRanksIsNeverNearerThanTheImage)
   {
     SCOPED_TRACE(seed);
     const std::vector<std::vector<float>> depths = MakeDepths(1 + seed % 7, seed);
-    const std::vector<float> image = Reduce(GetMinima(depths), vtkNBufferExtremum::Maximum);
+    const std::vector<float> image = ReduceByTiles(GetMinima(depths), vtkNBufferExtremum::Maximum);
     std::vector<std::vector<float>> farthest;
     std::vector<std::vector<float>> nearest;
     for (const std::vector<float>& depth : depths)
     {
-      farthest.push_back(Reduce(depth, vtkNBufferExtremum::Maximum));
-      nearest.push_back(Reduce(depth, vtkNBufferExtremum::Minimum));
+      farthest.push_back(ReduceByTiles(depth, vtkNBufferExtremum::Maximum));
+      nearest.push_back(ReduceByTiles(depth, vtkNBufferExtremum::Minimum));
     }
     const std::vector<float> shared = GetMinima(farthest);
     const std::vector<float> control = GetMinima(nearest);

@@ -16,12 +16,12 @@
 
 namespace
 {
-using Rows = std::array<double, 16>;
+using RowsOfMatrix = std::array<double, 16>;
 
-Rows MakeRows(std::mt19937& random)
+RowsOfMatrix MakeRows(std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(-10.0, 10.0);
-  Rows rows;
+  RowsOfMatrix rows;
   std::generate(rows.begin(), rows.end(), [&]() { return uniform(random); });
   return rows;
 }
@@ -29,7 +29,7 @@ Rows MakeRows(std::mt19937& random)
 
 TEST(NBufferGLM, RowsAndColumns)
 {
-  Rows rows;
+  RowsOfMatrix rows;
   std::iota(rows.begin(), rows.end(), 0.0);
   const glm::dmat4 matrix = vtkNBufferGLM::ToMatrix(rows.data());
   EXPECT_EQ(matrix[3], glm::dvec4(3.0, 7.0, 11.0, 15.0)) << "the last column";
@@ -43,15 +43,15 @@ TEST(NBufferGLM, RoundsAsVTKDoes)
   std::mt19937 random(5);
   for (int n = 0; n < 1000; ++n)
   {
-    const Rows a = MakeRows(random);
-    const Rows b = MakeRows(random);
+    const RowsOfMatrix a = MakeRows(random);
+    const RowsOfMatrix b = MakeRows(random);
     const glm::dmat4 matrix = vtkNBufferGLM::ToMatrix(a.data());
 
-    Rows product;
+    RowsOfMatrix product;
     vtkMatrix4x4::Multiply4x4(a.data(), b.data(), product.data());
     ASSERT_EQ(vtkNBufferGLM::ToRows(matrix * vtkNBufferGLM::ToMatrix(b.data())), product);
 
-    Rows inverse;
+    RowsOfMatrix inverse;
     vtkMatrix4x4::Invert(a.data(), inverse.data());
     ASSERT_EQ(vtkNBufferGLM::ToRows(vtkNBufferGLM::Invert(matrix)), inverse);
 

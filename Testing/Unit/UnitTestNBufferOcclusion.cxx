@@ -190,7 +190,7 @@ double GetFarthestInLoop(const Scene& scene, const vtkNBufferRectangle& pixels)
 /// Calls function(sampler, scene, box) for a box in each of `count` scenes, where it lies in the
 /// view. Returns how many there were.
 template <typename Function>
-int ForEachBox(unsigned int seed, int count, Convention convention, Function function)
+int ForEachBoxOfViews(unsigned int seed, int count, Convention convention, Function function)
 {
   ViewSampler sampler(seed);
   int boxes = 0;
@@ -214,7 +214,7 @@ int ForEachBox(unsigned int seed, int count, Convention convention, Function fun
 template <typename Function>
 void ForEachMesh(unsigned int seed, int count, Convention convention, Function function)
 {
-  ForEachBox(seed, count, convention,
+  ForEachBoxOfViews(seed, count, convention,
     [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
     {
       SampledMesh mesh(sampler, scene, box.Bounds);
@@ -294,7 +294,7 @@ INSTANTIATE_TEST_SUITE_P(BaseFactor, NBufferOcclusion,
 TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
 {
   int nearlyFlush = 0;
-  ForEachBox(31, 400, this->GetParam(),
+  ForEachBoxOfViews(31, 400, this->GetParam(),
     [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
     {
       double nearest = 2.0;
@@ -321,7 +321,7 @@ TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
 TEST_P(NBufferOcclusionOfDepths, EqualNumbersAreVisible)
 {
   const double order = this->GetParam() == Convention::Forward ? 0.5 : -0.5;
-  const int tested = ForEachBox(33, 300, this->GetParam(),
+  const int tested = ForEachBoxOfViews(33, 300, this->GetParam(),
     [&](ViewSampler&, Scene& scene, ProjectedBox box)
     {
       scene.Fill(order);
@@ -337,7 +337,7 @@ TEST_P(NBufferOcclusionOfDepths, EqualNumbersAreVisible)
 TEST_P(NBufferOcclusionOfDepths, ANearWallHidesAllBehindIt)
 {
   int tested = 0;
-  ForEachBox(32, 300, this->GetParam(),
+  ForEachBoxOfViews(32, 300, this->GetParam(),
     [&](ViewSampler&, Scene& scene, const ProjectedBox& box)
     {
       if (box.Screen.Nearest > scene.Eye.ToOrder(0.002, scene.Depths))
@@ -355,7 +355,7 @@ TEST_P(NBufferOcclusionOfDepths, ANearWallHidesAllBehindIt)
 TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
 {
   int opened = 0;
-  ForEachBox(33, 400, this->GetParam(),
+  ForEachBoxOfViews(33, 400, this->GetParam(),
     [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
     {
       scene.Fill(scene.Eye.ToOrder(0.001, scene.Depths));
@@ -383,7 +383,7 @@ TEST_P(NBufferOcclusionOfDepths, OnlyMiddlesCountWithoutMultisampling)
   int opened = 0;
   int keptForTouching = 0;
   int keptForTouchingTexels = 0;
-  ForEachBox(36, 600, this->GetParam(),
+  ForEachBoxOfViews(36, 600, this->GetParam(),
     [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
     {
       const double wall = scene.Eye.ToOrder(0.001, scene.Depths);

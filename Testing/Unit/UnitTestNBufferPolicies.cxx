@@ -16,7 +16,7 @@
 
 namespace
 {
-constexpr int Side = 12; // of the simulated window
+constexpr int WindowSide = 12; // of the simulated window
 
 /// What was drawn of a prop with these bounds, in the first round.
 vtkNBufferDrawnProp MakeDrawn(const vtkNBufferProjection& projection,
@@ -53,11 +53,11 @@ struct Pixel
 };
 
 void Draw(const Prop& prop, std::vector<Pixel>& window,
-  const vtkNBufferRectangle& region = { 0, 0, Side, Side })
+  const vtkNBufferRectangle& region = { 0, 0, WindowSide, WindowSide })
 {
   for (const auto& [x, y] : Pixels(region.GetIntersection(prop.Rectangle)))
   {
-    Pixel& pixel = window[y * Side + x];
+    Pixel& pixel = window[y * WindowSide + x];
     if (prop.Depth <= pixel.Depth)
     {
       pixel.Depth = prop.Depth;
@@ -72,7 +72,7 @@ void Draw(const Prop& prop, std::vector<Pixel>& window,
 // order.
 TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
+  const vtkNBufferProjection projection = MapWorldToPixels(WindowSide, WindowSide);
   std::mt19937 random(41);
   int redrawn = 0;
   int regions = 0;
@@ -88,8 +88,8 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
       int ends[2][2];
       for (auto& [begin, end] : ends)
       {
-        begin = static_cast<int>(random() % (Side - 1));
-        end = std::min<int>(begin + 1 + static_cast<int>(random() % 6), Side);
+        begin = static_cast<int>(random() % (WindowSide - 1));
+        end = std::min<int>(begin + 1 + static_cast<int>(random() % 6), WindowSide);
       }
       const vtkNBufferRectangle& r =
         prop.Rectangle = { ends[0][0], ends[1][0], ends[0][1], ends[1][1] };
@@ -102,8 +102,8 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
       text << r << " at " << prop.Depth << ", round " << prop.Drawn.Round << "; ";
     }
     SCOPED_TRACE(text.str());
-    std::vector<Pixel> expected(Side * Side);
-    std::vector<Pixel> window(Side * Side);
+    std::vector<Pixel> expected(WindowSide * WindowSide);
+    std::vector<Pixel> window(WindowSide * WindowSide);
     for (const Prop& prop : props)
     {
       Draw(prop, expected);
@@ -149,7 +149,7 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
 // Hazard: because of its first prop, a whole chain of props that touch each other is drawn again.
 TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
+  const vtkNBufferProjection projection = MapWorldToPixels(WindowSide, WindowSide);
   std::vector<vtkNBufferDrawnProp> drawn;
   for (int i = 0; i < 5; ++i)
   {
@@ -173,7 +173,7 @@ TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
 // too many regions.
 TEST(NBufferTieOrder, RegionsAreNoMoreThanFour)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
+  const vtkNBufferProjection projection = MapWorldToPixels(WindowSide, WindowSide);
   std::vector<vtkNBufferDrawnProp> drawn;
   for (int i = 0; i < 6; ++i)
   {
@@ -197,7 +197,7 @@ TEST(NBufferTieOrder, RegionsAreNoMoreThanFour)
 // Hazard: props that cannot touch are drawn twice for nothing.
 TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
+  const vtkNBufferProjection projection = MapWorldToPixels(WindowSide, WindowSide);
   const auto make = [&projection](double x, double y, double z) {
     return MakeDrawn(projection, { x, x + 2.0, y, y + 2.0, z, z + 0.05 });
   };
@@ -222,14 +222,14 @@ TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
   EXPECT_EQ(pixels.X0, a.Screen.Pixels.X0) << "within the pixels of the one that is known";
   EXPECT_EQ(pixels.Y1, a.Screen.Pixels.Y1);
   EXPECT_TRUE(tie(unbounded, unbounded));
-  EXPECT_EQ(pixels.GetWidth(), Side);
+  EXPECT_EQ(pixels.GetWidth(), WindowSide);
 }
 
 // Hazard: of a prop that is drawn in parts, the part that was drawn first is covered by a part that
 // comes before it in the mesh; or the whole prop is drawn again everywhere.
 TEST(NBufferTieOrder, PartsOfOnePropAreRestored)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
+  const vtkNBufferProjection projection = MapWorldToPixels(WindowSide, WindowSide);
   std::vector<vtkNBufferDrawnProp> drawn = {
     MakeDrawn(projection, { 1.0, 7.0, 1.0, 7.0, 0.5, 0.5 }, 3, 0),
     MakeDrawn(projection, { 2.0, 4.0, 2.0, 4.0, 0.5, 0.5 }, 3, 2),
@@ -247,7 +247,7 @@ TEST(NBufferTieOrder, PartsOfOnePropAreRestored)
 // prop, and covers the next prop.
 TEST(NBufferTieOrder, PropsAreDrawnAgainWithAllParts)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
+  const vtkNBufferProjection projection = MapWorldToPixels(WindowSide, WindowSide);
   std::vector<vtkNBufferDrawnProp> drawn = {
     MakeDrawn(projection, { 1.0, 4.0, 1.0, 4.0, 0.3, 0.3 }, 1, 2),
     MakeDrawn(projection, { 2.0, 3.0, 2.0, 3.0, 0.3, 0.3 }, 3, 1),
@@ -321,7 +321,7 @@ vtkNBufferFrustumCounts MakeCounts()
   return counts;
 }
 
-Decision Choose(const vtkNBufferFrustumCounts& counts, vtkNBufferBackOff* backOff = nullptr)
+Decision Decide(const vtkNBufferFrustumCounts& counts, vtkNBufferBackOff* backOff = nullptr)
 {
   return vtkNBufferCullingPolicy::ChooseDecision(counts, Minimum, backOff);
 }
@@ -330,19 +330,19 @@ Decision Choose(const vtkNBufferFrustumCounts& counts, vtkNBufferBackOff* backOf
 // Hazard: a frame is not tested, and the reason that is given is not the first one that applies.
 TEST(NBufferCullingPolicy, NamesTheReasonNotToTest)
 {
-  EXPECT_EQ(Choose(MakeCounts()), Decision::Culled);
+  EXPECT_EQ(Decide(MakeCounts()), Decision::Culled);
 
   vtkNBufferFrustumCounts counts = MakeCounts();
   counts.Inside = Minimum;
-  EXPECT_EQ(Choose(counts), Decision::Culled);
+  EXPECT_EQ(Decide(counts), Decision::Culled);
   counts.Inside = Minimum - 1;
-  EXPECT_EQ(Choose(counts), Decision::FewCandidates);
+  EXPECT_EQ(Decide(counts), Decision::FewCandidates);
   counts.Blending = true;
-  EXPECT_EQ(Choose(counts), Decision::Blending);
+  EXPECT_EQ(Decide(counts), Decision::Blending);
 
   counts = MakeCounts();
   counts.Kept = counts.HeldBack = 0;
-  EXPECT_EQ(Choose(counts), Decision::NothingHeld) << "all of them cross the near plane";
+  EXPECT_EQ(Decide(counts), Decision::NothingHeld) << "all of them cross the near plane";
 }
 
 // Hazard: where nothing is held back there are no proxy and no test, so that nothing would ever be
@@ -351,13 +351,13 @@ TEST(NBufferCullingPolicy, TestsEveryFewFramesWhereNothingIsHeldBack)
 {
   vtkNBufferFrustumCounts counts = MakeCounts();
   counts.HeldBack = 0;
-  EXPECT_EQ(Choose(counts), Decision::Culled) << "every frame without back-off";
+  EXPECT_EQ(Decide(counts), Decision::Culled) << "every frame without back-off";
 
   vtkNBufferBackOff backOff;
   int tested = 0;
   for (int frame = 0; frame < 8 * 10; ++frame)
   {
-    const Decision decision = Choose(counts, &backOff);
+    const Decision decision = Decide(counts, &backOff);
     EXPECT_TRUE(decision == Decision::Culled || decision == Decision::NothingHeld);
     tested += decision == Decision::Culled;
   }
@@ -366,7 +366,7 @@ TEST(NBufferCullingPolicy, TestsEveryFewFramesWhereNothingIsHeldBack)
   counts.Translucent = Minimum;
   for (int frame = 0; frame < 16; ++frame)
   {
-    EXPECT_EQ(Choose(counts, &backOff), Decision::Culled) << "many translucent props";
+    EXPECT_EQ(Decide(counts, &backOff), Decision::Culled) << "many translucent props";
   }
 }
 
@@ -377,15 +377,15 @@ TEST(NBufferCullingPolicy, RestsAreCountedInFramesThatCouldBeTested)
   vtkNBufferBackOff backOff;
   for (int i = 0; i < vtkNBufferBackOff::PoorTestsBeforePause; ++i)
   {
-    EXPECT_EQ(Choose(MakeCounts(), &backOff), Decision::Culled);
+    EXPECT_EQ(Decide(MakeCounts(), &backOff), Decision::Culled);
     backOff.Learn(0, 100);
   }
   vtkNBufferFrustumCounts few = MakeCounts();
   few.Inside = 1;
   int rest = 0;
-  while (Choose(MakeCounts(), &backOff) == Decision::BackedOff)
+  while (Decide(MakeCounts(), &backOff) == Decision::BackedOff)
   {
-    EXPECT_EQ(Choose(few, &backOff), Decision::FewCandidates);
+    EXPECT_EQ(Decide(few, &backOff), Decision::FewCandidates);
     ASSERT_LE(++rest, vtkNBufferBackOff::LongestPause);
   }
   EXPECT_EQ(rest, vtkNBufferBackOff::ShortestPause);

@@ -13,8 +13,8 @@
 
 namespace
 {
-constexpr int Width = 101;
-constexpr int Height = 67;
+constexpr int SliversWidth = 101;
+constexpr int SliversHeight = 67;
 
 class Slivers : public testing::Test
 {
@@ -23,8 +23,9 @@ protected:
 
   void SetWall(float depth)
   {
-    this->Depth.assign(static_cast<std::size_t>(Width) * Height, depth);
-    this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+    this->Depth.assign(static_cast<std::size_t>(SliversWidth) * SliversHeight, depth);
+    this->Levels.BuildBase(
+      this->Depth.data(), SliversWidth, SliversHeight, 4, vtkNBufferExtremum::Maximum);
   }
 
   using Triangle = std::array<glm::dvec3, 3>;
@@ -44,7 +45,7 @@ protected:
     return test.MayBeSeen(mesh, 0, 1, identity, box.Box, box.Screen);
   }
 
-  vtkNBufferProjection Projection = MapWorldToPixels(Width, Height);
+  vtkNBufferProjection Projection = MapWorldToPixels(SliversWidth, SliversHeight);
   vtkNBufferLevels Levels;
   std::vector<float> Depth;
 };
@@ -169,11 +170,12 @@ TEST_F(Slivers, PixelsDecideWhereTheyAreAtHand)
 {
   const auto sliver = MakeLow(20.5, 0.005, 0.8, 0.8, 0.85);
   this->SetWall(0.5f);
-  std::fill_n(this->Depth.begin() + 21 * Width, Width, 1.0f);
-  this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+  std::fill_n(this->Depth.begin() + 21 * SliversWidth, SliversWidth, 1.0f);
+  this->Levels.BuildBase(
+    this->Depth.data(), SliversWidth, SliversHeight, 4, vtkNBufferExtremum::Maximum);
   EXPECT_TRUE(this->MayBeSeen(sliver));
   EXPECT_FALSE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
-  this->Depth[20 * Width + 40] = 1.0f;
+  this->Depth[20 * SliversWidth + 40] = 1.0f;
   EXPECT_TRUE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
 }
 
@@ -183,8 +185,9 @@ TEST_F(Slivers, ThroughAHole)
   this->SetWall(0.0f);
   EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5, 1e-7)));
   this->SetWall(-1.0f);
-  this->Depth[20 * Width + 40] = 1.0f;
-  this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+  this->Depth[20 * SliversWidth + 40] = 1.0f;
+  this->Levels.BuildBase(
+    this->Depth.data(), SliversWidth, SliversHeight, 4, vtkNBufferExtremum::Maximum);
   EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5, 0.005, 0.8, 0.8, 0.85)));
   EXPECT_FALSE(this->MayBeSeen(MakeLow(30.5, 0.005, 0.8, 0.8, 0.85)));
 }

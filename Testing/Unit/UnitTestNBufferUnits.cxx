@@ -79,7 +79,7 @@ Mesh Shuffle(const Mesh& mesh)
 }
 
 /// The indices of each single unit.
-std::vector<std::vector<unsigned int>> GetAll(const vtkNBufferUnits& units, const Mesh& mesh)
+std::vector<std::vector<unsigned int>> GetAllUnits(const vtkNBufferUnits& units, const Mesh& mesh)
 {
   std::vector<std::vector<unsigned int>> all(units.GetSize());
   for (std::size_t unit = 0; unit < units.GetSize(); ++unit)
@@ -91,7 +91,7 @@ std::vector<std::vector<unsigned int>> GetAll(const vtkNBufferUnits& units, cons
   return all;
 }
 
-bool Contains(const Box& box, const glm::dvec3& point)
+bool ContainsPoint(const Box& box, const glm::dvec3& point)
 {
   return glm::all(glm::lessThanEqual(glm::dvec3(box.Low), point)) &&
     glm::all(glm::lessThanEqual(point, glm::dvec3(box.High)));
@@ -113,13 +113,13 @@ TEST_P(Units, EachPrimitiveIsInOneUnitAndInItsBox)
   const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 64);
   ASSERT_EQ(units.GetSize(), 32U);
   std::size_t total = 0;
-  const auto all = GetAll(units, mesh);
+  const auto all = GetAllUnits(units, mesh);
   for (std::size_t unit = 0; unit < units.GetSize(); ++unit)
   {
     total += all[unit].size();
     for (const unsigned int index : all[unit])
     {
-      EXPECT_TRUE(Contains(units.GetLevels()[0][unit], mesh.Points[index]));
+      EXPECT_TRUE(ContainsPoint(units.GetLevels()[0][unit], mesh.Points[index]));
     }
   }
   EXPECT_EQ(total, mesh.Indices.size());
@@ -133,7 +133,7 @@ TEST_P(Units, AreFoundByTheirPrimitives)
   const Mesh mesh = this->Get();
   vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 64);
   EXPECT_EQ(units.AreSpatial(), this->GetParam());
-  const auto all = GetAll(units, mesh);
+  const auto all = GetAllUnits(units, mesh);
   std::vector<std::size_t> next(units.GetSize());
   for (std::size_t i = 0; i < mesh.Indices.size(); i += 3)
   {
@@ -215,8 +215,8 @@ TEST_P(Units, NodesContainTheirUnits)
       const Box& node = units.GetLevels()[level][n];
       for (std::size_t i = units.GetBegin(level, n); i < next; ++i)
       {
-        EXPECT_TRUE(Contains(node, glm::dvec3(units.GetLevels()[0][i].Low)));
-        EXPECT_TRUE(Contains(node, glm::dvec3(units.GetLevels()[0][i].High)));
+        EXPECT_TRUE(ContainsPoint(node, glm::dvec3(units.GetLevels()[0][i].Low)));
+        EXPECT_TRUE(ContainsPoint(node, glm::dvec3(units.GetLevels()[0][i].High)));
       }
     }
     EXPECT_EQ(next, units.GetSize());
@@ -252,7 +252,7 @@ TEST(UnitsOfFiles, PointsAreUnitsToo)
   mesh.Corners = 1;
   const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 100);
   EXPECT_EQ(units.GetSize(), 6U);
-  EXPECT_EQ(GetAll(units, mesh)[5].size(), 100U);
+  EXPECT_EQ(GetAllUnits(units, mesh)[5].size(), 100U);
 }
 
 // Hazard: coordinates are NaN, lists are empty or wrong, boxes have no extent.
@@ -268,7 +268,7 @@ TEST(UnitsOfFiles, BadNumbers)
   mesh.Points[9].y = std::numeric_limits<double>::infinity();
   mesh.Points[11] = glm::dvec3(1e300);
   const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 1);
-  const auto all = GetAll(units, mesh);
+  const auto all = GetAllUnits(units, mesh);
   for (std::size_t unit = 0; unit < units.GetSize(); ++unit)
   {
     const bool isBad = std::any_of(all[unit].begin(), all[unit].end(),
@@ -281,5 +281,5 @@ TEST(UnitsOfFiles, BadNumbers)
     point = glm::dvec3(1.0 / 3.0);
   }
   const vtkNBufferUnits point = vtkNBufferUnits::Make(mesh, 2);
-  EXPECT_TRUE(Contains(point.GetLevels()[0][0], mesh.Points[0])) << "rounded outward";
+  EXPECT_TRUE(ContainsPoint(point.GetLevels()[0][0], mesh.Points[0])) << "rounded outward";
 }

@@ -12,14 +12,14 @@
 
 namespace
 {
-constexpr int Width = 160;
-constexpr int Height = 90;
+constexpr int ViewWidth = 160;
+constexpr int ViewHeight = 90;
 
 /// Looks along -z from (0, 0, 3), 90 degrees upwards; near plane 0.1, far plane 100.
-constexpr double Rows[16] = { 9.0 / 16, 0, 0, 0, 0, 1, 0, 0, 0, 0, -100.1 / 99.9,
+constexpr double ViewRows[16] = { 9.0 / 16, 0, 0, 0, 0, 1, 0, 0, 0, 0, -100.1 / 99.9,
   (3 * 100.1 - 20.0) / 99.9, 0, 0, -1, 3 };
 
-const glm::dmat4 Clip = vtkNBufferGLM::ToMatrix(Rows);
+const glm::dmat4 Clip = vtkNBufferGLM::ToMatrix(ViewRows);
 
 /// Pixel centres in the triangles of a volume, in which no near plane cuts.
 double CountFragments(const vtkShadowVolume& volume)
@@ -42,10 +42,11 @@ double CountFragments(const vtkShadowVolume& volume)
     }
     const glm::dmat3 inverse = glm::inverse(columns);
     const glm::dvec3 depths(corners[0][2], corners[1][2], corners[2][2]);
-    for (const auto& [x, y] : Pixels(Width, Height))
+    for (const auto& [x, y] : Pixels(ViewWidth, ViewHeight))
     {
       // Shares of the corners in the point of the triangle's plane on this line of sight.
-      const glm::dvec3 line(2.0 * (x + 0.5) / Width - 1.0, 2.0 * (y + 0.5) / Height - 1.0, 1.0);
+      const glm::dvec3 line(
+        2.0 * (x + 0.5) / ViewWidth - 1.0, 2.0 * (y + 0.5) / ViewHeight - 1.0, 1.0);
       const glm::dvec3 shares = inverse * line;
       fragments += glm::all(glm::greaterThanEqual(shares, glm::dvec3(0.0))) &&
         glm::dot(shares, depths) >= -1.0;
@@ -63,8 +64,8 @@ double EstimateFragments(const vtkShadowVolume& volume)
   draws[1].FirstIndex = draws[0].NumberOfIndices;
   draws[1].NumberOfIndices = 3 * triangles - draws[0].NumberOfIndices;
   vtkShadowDrawList::View view;
-  view.Viewport[2] = Width;
-  view.Viewport[3] = Height;
+  view.Viewport[2] = ViewWidth;
+  view.Viewport[3] = ViewHeight;
   view.Eye = { 1.0, 2.0, 3.0 };
   view.EyeToClip = glm::translate(Clip, view.Eye);
   return vtkShadowCostModel::EstimateFragments(volume, draws, view);

@@ -78,7 +78,7 @@ std::vector<Receiver> MakeReceivers(const Map& map, int count, unsigned int seed
   return receivers;
 }
 
-bool Contains(const vtkShadowExtent& extent, const vtkShadowExtent& part)
+bool ContainsExtent(const vtkShadowExtent& extent, const vtkShadowExtent& part)
 {
   return extent.Near <= part.Near && extent.Far >= part.Far && extent.X0 <= part.X0 &&
     extent.Y0 <= part.Y0 && extent.X1 >= part.X1 && extent.Y1 >= part.Y1 &&
@@ -156,13 +156,13 @@ void CheckSlabs(const Map& map, const vtkShadowExtent& extent, double p0, double
 }
 
 /// One query in all respects.
-void CheckQuery(const Map& map, double p0, double q0, double p1, double q1, int gap)
+void CheckLitmapQuery(const Map& map, double p0, double q0, double p1, double q1, int gap)
 {
   SCOPED_TRACE(testing::Message() << std::setprecision(17) << "[" << p0 << ", " << p1 << "] x ["
                                   << q0 << ", " << q1 << "], resolution "
                                   << map.Litmap.GetResolution());
   const vtkShadowExtent extent = map.Litmap.Query(p0, q0, p1, q1);
-  ASSERT_TRUE(Contains(extent, Scan(map, p0, q0, p1, q1))) << "a receiver was missed";
+  ASSERT_TRUE(ContainsExtent(extent, Scan(map, p0, q0, p1, q1))) << "a receiver was missed";
   const vtkNBufferRectangle lexels = map.Litmap.GetLexels(p0, q0, p1, q1);
   ASSERT_TRUE(
     IsSameExtent(extent, lexels.IsEmpty() ? vtkShadowExtent() : ScanCover(map.Litmap, lexels)));
@@ -191,15 +191,16 @@ TEST_P(ShadowLitmap, RandomRectangles)
       const double q0 = 10.0 + uniform(random);
       const double p1 = p0 + 5.0 * size * (uniform(random) + 0.5);
       const double q1 = q0 + size * (uniform(random) + 0.5);
-      ASSERT_NO_FATAL_FAILURE(CheckQuery(map, p0, q0, p1, q1, 1 + static_cast<int>(random() % 5)));
+      ASSERT_NO_FATAL_FAILURE(
+        CheckLitmapQuery(map, p0, q0, p1, q1, 1 + static_cast<int>(random() % 5)));
     }
     // Each receiver by itself, as small as it is.
     for (const Receiver& r : map.Receivers)
     {
-      ASSERT_NO_FATAL_FAILURE(CheckQuery(map, r.A[0], r.A[1], r.A[0], r.A[1], 1));
+      ASSERT_NO_FATAL_FAILURE(CheckLitmapQuery(map, r.A[0], r.A[1], r.A[0], r.A[1], 1));
     }
-    ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -1e300, -1e300, 1e300, 1e300, 1));
-    ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -Infinity, -Infinity, Infinity, Infinity, 64));
+    ASSERT_NO_FATAL_FAILURE(CheckLitmapQuery(map, -1e300, -1e300, 1e300, 1e300, 1));
+    ASSERT_NO_FATAL_FAILURE(CheckLitmapQuery(map, -Infinity, -Infinity, Infinity, Infinity, 64));
   }
 }
 
@@ -213,7 +214,7 @@ TEST(ShadowLitmapOnce, NaNQueriesTheWholeMap)
   map.Receivers = MakeReceivers(map, 30, 9);
   map.Build(16);
   const vtkShadowExtent all = map.Litmap.Query(-Infinity, -Infinity, Infinity, Infinity);
-  EXPECT_TRUE(Contains(all, Scan(map, -Infinity, -Infinity, Infinity, Infinity)));
+  EXPECT_TRUE(ContainsExtent(all, Scan(map, -Infinity, -Infinity, Infinity, Infinity)));
   const double queries[][4] = { { NaN, 10.0, 0.0, 10.1 }, { 0.0, NaN, 0.0, 10.1 },
     { 0.0, 10.0, NaN, 10.1 }, { 0.0, 10.0, 0.1, NaN }, { 0.1, 10.0, 0.0, 10.1 } };
   for (const auto& [p0, q0, p1, q1] : queries)
@@ -316,8 +317,8 @@ TEST(ShadowLitmapOnce, BeginForgets)
   map.Build(33);
   EXPECT_EQ(map.Litmap.GetNumberOfReceivers(), 3);
   EXPECT_EQ(map.Litmap.GetLevelData(map.Litmap.GetNumberOfLevels()), nullptr);
-  ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -2.0, 10.0, 3.0, 11.0, 1));
-  ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -1.0, 10.2, 1.0, 10.7, 1));
+  ASSERT_NO_FATAL_FAILURE(CheckLitmapQuery(map, -2.0, 10.0, 3.0, 11.0, 1));
+  ASSERT_NO_FATAL_FAILURE(CheckLitmapQuery(map, -1.0, 10.2, 1.0, 10.7, 1));
   map.Litmap.Begin(33, map.Range);
   EXPECT_TRUE(map.Litmap.Query(-2.0, 10.0, 3.0, 11.0).IsEmpty()) << "not built";
 }

@@ -28,7 +28,7 @@ namespace
 using Kind = vtkShadowLightKind;
 
 /// An image of known points.
-struct Image
+struct ReceiverImage
 {
   vtkShadowView View;
   std::vector<float> Depth;
@@ -154,7 +154,7 @@ public:
       vtkShadowLightSpace(light), resolution, litmap);
   }
 
-  Image Made;
+  ReceiverImage Made;
 
 private:
   /// As it would be stored, one step off now and then.
@@ -185,7 +185,7 @@ bool IsInside(const vtkShadowBlock& block, const Point& pqs)
 
 /// Scatter the image and look for every point that the light reaches; returns how many there are.
 int CheckAll(
-  const Image& image, const vtkShadowLight& light, int resolution, vtkShadowLitmap& litmap)
+  const ReceiverImage& image, const vtkShadowLight& light, int resolution, vtkShadowLitmap& litmap)
 {
   const vtkShadowView& view = image.View;
   int found = 0;

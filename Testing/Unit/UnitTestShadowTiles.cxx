@@ -21,18 +21,18 @@
 
 namespace
 {
-constexpr int Size = vtkShadowTiles::Size;
+constexpr int TileSize = vtkShadowTiles::Size;
 
-using Tile = std::pair<int, int>;
+using TilePlace = std::pair<int, int>;
 
-vtkShadowTileSet MakeSet(const vtkNBufferRectangle& pixels, const std::set<Tile>& tiles)
+vtkShadowTileSet MakeSet(const vtkNBufferRectangle& pixels, const std::set<TilePlace>& tiles)
 {
   vtkShadowTileSet set(pixels);
   set.Mark([&](int column, int row) { return tiles.count({ column, row }) > 0; });
   return set;
 }
 
-int GetArea(const std::vector<vtkNBufferRectangle>& boxes)
+int GetAreaOfBoxes(const std::vector<vtkNBufferRectangle>& boxes)
 {
   int area = 0;
   for (const vtkNBufferRectangle& box : boxes)
@@ -49,9 +49,9 @@ vtkShadowBlock MakeBlock(const vtkShadowLightSpace& frame, const Point& x, doubl
 }
 
 /// A caster before a light, and what its shadow can reach.
-struct Caster : ShadowCaster
+struct TileCaster : ShadowCaster
 {
-  Caster(const ShadowMesh& mesh, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
+  TileCaster(const ShadowMesh& mesh, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
     vtkShadowCounting counting)
     : ShadowCaster(mesh, light, counting)
   {
@@ -88,7 +88,7 @@ TEST(ShadowTileSet, BoxesAreApartAndHoldAllMarks)
     pixels.Y0 = pick(0, 40);
     pixels.X1 = pixels.X0 + pick(1, 90);
     pixels.Y1 = pixels.Y0 + pick(1, 90);
-    std::set<Tile> marks;
+    std::set<TilePlace> marks;
     for (int i = pick(0, 30); i > 0; --i)
     {
       marks.insert({ pick(0, 17), pick(0, 17) });
@@ -106,12 +106,12 @@ TEST(ShadowTileSet, BoxesAreApartAndHoldAllMarks)
         const vtkNBufferRectangle pixel = { x, y, x + 1, y + 1 };
         const auto count = std::count_if(boxes.begin(), boxes.end(),
           [&pixel](const vtkNBufferRectangle& box) { return IsIn(pixel, box); });
-        const bool isMarked = marks.count({ x / Size, y / Size }) > 0;
+        const bool isMarked = marks.count({ x / TileSize, y / TileSize }) > 0;
         marked += isMarked;
         ASSERT_LE(count, 1);
         ASSERT_TRUE(count == 1 || !isMarked);
       }
-      EXPECT_GE(GetArea(boxes), marked) << "nothing outside of the rectangle";
+      EXPECT_GE(GetAreaOfBoxes(boxes), marked) << "nothing outside of the rectangle";
     }
   }
 }
@@ -119,24 +119,24 @@ TEST(ShadowTileSet, BoxesAreApartAndHoldAllMarks)
 // A box is cut where the cut leaves out more than it costs.
 TEST(ShadowTileSet, CutsAreWorthTheirCost)
 {
-  const vtkNBufferRectangle pixels = { 0, 0, 10 * Size, 10 * Size };
+  const vtkNBufferRectangle pixels = { 0, 0, 10 * TileSize, 10 * TileSize };
   const vtkShadowTileSet corners = MakeSet(pixels, { { 0, 0 }, { 9, 9 } });
-  const int saved = 98 * Size * Size;
+  const int saved = 98 * TileSize * TileSize;
   EXPECT_EQ(corners.GetBoxes(saved).size(), 1u);
-  EXPECT_EQ(GetArea(corners.GetBoxes(saved)), 100 * Size * Size);
+  EXPECT_EQ(GetAreaOfBoxes(corners.GetBoxes(saved)), 100 * TileSize * TileSize);
   EXPECT_EQ(corners.GetBoxes(saved - 1).size(), 2u);
-  EXPECT_EQ(GetArea(corners.GetBoxes(saved - 1)), 2 * Size * Size);
+  EXPECT_EQ(GetAreaOfBoxes(corners.GetBoxes(saved - 1)), 2 * TileSize * TileSize);
   // A frame of tiles around nothing has no cut that leaves out anything at once but corners.
   const vtkShadowTileSet bar = MakeSet(pixels, { { 2, 5 }, { 3, 5 }, { 4, 5 } });
   EXPECT_EQ(bar.GetBoxes(0.0).size(), 1u);
-  EXPECT_EQ(GetArea(bar.GetBoxes(0.0)), 3 * Size * Size);
+  EXPECT_EQ(GetAreaOfBoxes(bar.GetBoxes(0.0)), 3 * TileSize * TileSize);
 }
 
 TEST(ShadowTiles, HoldTheirReceivers)
 {
   vtkShadowTiles tiles;
   EXPECT_FALSE(tiles.IsKnown());
-  tiles.Begin(2 * Size + 1, Size);
+  tiles.Begin(2 * TileSize + 1, TileSize);
   EXPECT_TRUE(tiles.IsKnown());
   EXPECT_EQ(tiles.GetNumberOfColumns(), 3);
   EXPECT_EQ(tiles.GetNumberOfRows(), 1);
@@ -146,12 +146,12 @@ TEST(ShadowTiles, HoldTheirReceivers)
   const Point radius = { 0.25, 0.5, 0.125 };
   const auto isBlock = [](const vtkShadowBlock& block)
   { return block.Low == Point(0.75, 3.5, 2.875) && block.High == Point(2.25, 5.5, 3.625); };
-  tiles.Add(a, b, radius, 2 * Size, Size - 1, 0.5f); // from the split on
+  tiles.Add(a, b, radius, 2 * TileSize, TileSize - 1, 0.5f); // from the split on
   EXPECT_TRUE(tiles.Get(2, 0)[0].IsEmpty());
   EXPECT_TRUE(isBlock(tiles.Get(2, 0)[1]));
-  tiles.Add(a, b, radius, 2 * Size, 0, 0.25f);
+  tiles.Add(a, b, radius, 2 * TileSize, 0, 0.25f);
   EXPECT_TRUE(isBlock(tiles.Get(2, 0)[0]));
-  tiles.Add(a, b, radius, Size, 0, 0.99f); // no split there
+  tiles.Add(a, b, radius, TileSize, 0, 0.99f); // no split there
   EXPECT_TRUE(isBlock(tiles.Get(1, 0)[0]));
   EXPECT_TRUE(tiles.Get(1, 0)[1].IsEmpty());
   EXPECT_TRUE(tiles.Get(0, 0)[0].IsEmpty());
@@ -203,7 +203,7 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
       }
       light.Direction = vtkNBufferGLM::Normalize(light.Direction);
       const vtkShadowLightSpace frame(light);
-      const Caster caster(
+      const TileCaster caster(
         mesh, light, frame, n % 3 ? vtkShadowCounting::Away : vtkShadowCounting::All);
       if (caster.Silhouette.GetTriangles().empty())
       {
@@ -259,7 +259,7 @@ TEST(ShadowUmbra, RoundingLeavesNothingOutOfReach)
     ShadowMesh mesh;
     mesh.Points = { MakePoint(random, 2.0), MakePoint(random, 2.0), MakePoint(random, 2.0) };
     mesh.Triangles = { 0, 1, 2 };
-    const Caster caster(mesh, light, frame, vtkShadowCounting::All);
+    const TileCaster caster(mesh, light, frame, vtkShadowCounting::All);
     const vtkShadowUmbra umbra = caster.GetUmbra(frame);
     const std::vector<Point>& corners = caster.GetPoints();
     for (int i = 0; i < 20; ++i)
@@ -296,8 +296,8 @@ TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
     bumps.Append(
       quad.Move([&](const Point& x) { return Point(x[0], x[1], MakeUniform(random, -0.1, 0.1)); }));
   }
-  const Caster flat(sheet, light, frame, vtkShadowCounting::All);
-  const Caster rough(bumps, light, frame, vtkShadowCounting::All);
+  const TileCaster flat(sheet, light, frame, vtkShadowCounting::All);
+  const TileCaster rough(bumps, light, frame, vtkShadowCounting::All);
   ASSERT_GT(flat.Silhouette.GetTriangles().size(), 3 * vtkShadowUmbra::MaximumFacets);
   EXPECT_FALSE(flat.GetUmbra(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, 0.5 }, 0.1)));
   EXPECT_TRUE(flat.GetUmbra(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
@@ -305,7 +305,7 @@ TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
   // Slanted light: the sheet's nearest corner is far above most of it.
   const vtkShadowLight slanted = MakeLight(vtkShadowLightKind::Directional, { -0.8, 0.0, 0.6 });
   const vtkShadowLightSpace slant(slanted);
-  const Caster both[2] = { { sheet, slanted, slant, vtkShadowCounting::All },
+  const TileCaster both[2] = { { sheet, slanted, slant, vtkShadowCounting::All },
     { bumps, slanted, slant, vtkShadowCounting::All } };
   const vtkShadowBlock over = MakeBlock(slant, { 5.0, 0.0, 1.0 }, 0.1);
   EXPECT_FALSE(both[0].GetUmbra(slant).MayShadow(over));
@@ -324,7 +324,7 @@ TEST(ShadowUmbra, GroundDoesNotReachWhatStandsOnIt)
     const vtkShadowLightSpace frame(light);
     const ShadowMesh ground =
       MakeCube().Move([](const Point& x) { return Point(20.0 * x[0], 20.0 * x[1], x[2] - 0.5); });
-    const Caster caster(ground, light, frame, vtkShadowCounting::Away);
+    const TileCaster caster(ground, light, frame, vtkShadowCounting::Away);
     const vtkShadowUmbra umbra = caster.GetUmbra(frame);
     const double top = std::max_element(ground.Points.begin(), ground.Points.end(),
       [](const Point& a, const Point& b) {

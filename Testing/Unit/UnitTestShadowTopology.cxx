@@ -39,7 +39,7 @@ int GetEulerCharacteristic(const vtkShadowTopology& topology)
     topology.GetNumberOfTriangles();
 }
 
-using Uses = std::map<int, int>;
+using EdgeUses = std::map<int, int>;
 
 /// Everything again by comparing all points with all, and a map of the edges.
 void CheckByBruteForce(const ShadowMesh& mesh, const vtkShadowTopology& topology)
@@ -185,7 +185,7 @@ TEST(ShadowTopology, RepeatedPointsAreMerged)
     SCOPED_TRACE(mesh.Name);
     const vtkShadowTopology topology = Build(mesh);
     EXPECT_EQ(topology.GetNumberOfPoints(), 8);
-    EXPECT_EQ(CountUses(topology), (Uses{ { 2, 18 } }));
+    EXPECT_EQ(CountUses(topology), (EdgeUses{ { 2, 18 } }));
     EXPECT_TRUE(topology.IsClosed());
   }
   const vtkShadowTopology sphere = Build(MakeSphere(6, 8));
@@ -205,9 +205,9 @@ TEST(ShadowTopology, NegativeZeroIsZero)
 
 TEST(ShadowTopology, OpenAndNonManifoldEdges)
 {
-  EXPECT_EQ(CountUses(Build(MakeOpenRectangle())), (Uses{ { 1, 4 }, { 2, 1 } }));
-  EXPECT_EQ(CountUses(Build(MakeThreePages())), (Uses{ { 1, 9 }, { 2, 3 }, { 3, 1 } }));
-  EXPECT_EQ(CountUses(Build(MakeOpenCube())), (Uses{ { 1, 4 }, { 2, 13 } }));
+  EXPECT_EQ(CountUses(Build(MakeOpenRectangle())), (EdgeUses{ { 1, 4 }, { 2, 1 } }));
+  EXPECT_EQ(CountUses(Build(MakeThreePages())), (EdgeUses{ { 1, 9 }, { 2, 3 }, { 3, 1 } }));
+  EXPECT_EQ(CountUses(Build(MakeOpenCube())), (EdgeUses{ { 1, 4 }, { 2, 13 } }));
   EXPECT_FALSE(Build(MakeOpenRectangle()).IsClosed());
   EXPECT_FALSE(Build(MakeThreePages()).IsClosed());
   EXPECT_FALSE(Build(MakeOpenCube()).IsClosed());
@@ -215,17 +215,17 @@ TEST(ShadowTopology, OpenAndNonManifoldEdges)
 
   const vtkShadowTopology moebius = Build(MakeMoebius(7));
   EXPECT_EQ(GetEulerCharacteristic(moebius), 0);
-  EXPECT_EQ(CountUses(moebius), (Uses{ { 1, 14 }, { 2, 14 } }));
+  EXPECT_EQ(CountUses(moebius), (EdgeUses{ { 1, 14 }, { 2, 14 } }));
   EXPECT_FALSE(moebius.IsClosed());
 }
 
 TEST(ShadowTopology, DuplicateTriangles)
 {
   ShadowMesh mesh = Join("two cubes", { MakeCube(), MakeCube() });
-  EXPECT_EQ(CountUses(Build(mesh)), (Uses{ { 4, 18 } }));
+  EXPECT_EQ(CountUses(Build(mesh)), (EdgeUses{ { 4, 18 } }));
   EXPECT_TRUE(Build(mesh).IsClosed());
   mesh.Triangles.resize(mesh.Triangles.size() - 3);
-  EXPECT_EQ(CountUses(Build(mesh)), (Uses{ { 3, 3 }, { 4, 15 } }));
+  EXPECT_EQ(CountUses(Build(mesh)), (EdgeUses{ { 3, 3 }, { 4, 15 } }));
   EXPECT_FALSE(Build(mesh).IsClosed());
 }
 

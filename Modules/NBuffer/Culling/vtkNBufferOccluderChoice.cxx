@@ -8,7 +8,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr int Side = 8;         // The side of a square, in pixels.
+constexpr int SquareSide = 8;   // The side of a square, in pixels.
 constexpr int SharePerSide = 8; // 1/8 of a rectangle, on each of its sides, hides nothing.
 
 /// The depths beyond which squares of the screen are hidden.
@@ -16,7 +16,7 @@ class CoarseDepth
 {
 public:
   CoarseDepth(int width, int height)
-    : All(vtkNBufferMath::GetBaseRectangle({ 0, 0, width, height }, Side))
+    : All(vtkNBufferMath::GetBaseRectangle({ 0, 0, width, height }, SquareSide))
     , Squares(static_cast<std::size_t>(this->All.X1) * this->All.Y1,
         std::numeric_limits<double>::infinity())
   {
@@ -39,7 +39,7 @@ public:
   bool IsOpen(const vtkNBufferScreenBox& box)
   {
     int open = 0;
-    const vtkNBufferRectangle squares = vtkNBufferMath::GetBaseRectangle(box.Pixels, Side);
+    const vtkNBufferRectangle squares = vtkNBufferMath::GetBaseRectangle(box.Pixels, SquareSide);
     this->ForEach(squares, [&](double& depth) { open += box.Nearest < depth ? 1 : -1; });
     return open > 0;
   }
@@ -51,8 +51,9 @@ public:
     const int x = pixels.GetWidth() / SharePerSide;
     const int y = pixels.GetHeight() / SharePerSide;
     // Squares that lie wholly in the middle of the rectangle.
-    const vtkNBufferRectangle squares = { (pixels.X0 + x + Side - 1) / Side,
-      (pixels.Y0 + y + Side - 1) / Side, (pixels.X1 - x) / Side, (pixels.Y1 - y) / Side };
+    const vtkNBufferRectangle squares = { (pixels.X0 + x + SquareSide - 1) / SquareSide,
+      (pixels.Y0 + y + SquareSide - 1) / SquareSide, (pixels.X1 - x) / SquareSide,
+      (pixels.Y1 - y) / SquareSide };
     this->ForEach(squares, [&](double& depth) { depth = std::min(depth, box.Farthest); });
   }
 

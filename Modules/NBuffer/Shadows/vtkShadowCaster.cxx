@@ -18,7 +18,7 @@ namespace
 {
 /// The topology of triangles [begin, end) alone. `points` are the merged points of the whole, in
 /// the coordinates that the part will have.
-std::shared_ptr<const vtkShadowTopology> MakePart(
+std::shared_ptr<const vtkShadowTopology> MakeTopologyOfPart(
   const vtkShadowTopology& whole, const vtkShadowPoints& points, int begin, int end)
 {
   auto topology = std::make_shared<vtkShadowTopology>();
@@ -174,7 +174,7 @@ void vtkShadowCaster::AddPart(Slot& slot, vtkShadowPart part, const vtkShadowLig
     for (const auto& [begin, end] : { std::pair(0, middle), std::pair(middle, triangles) })
     {
       vtkShadowPart half;
-      half.Topology = MakePart(*part.Topology, *part.Points, begin, end);
+      half.Topology = MakeTopologyOfPart(*part.Topology, *part.Points, begin, end);
       half.Points = &half.Topology->GetPoints();
       AddPart(slot, std::move(half), space);
     }

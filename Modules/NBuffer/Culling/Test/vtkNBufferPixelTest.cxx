@@ -15,7 +15,7 @@ namespace
 constexpr int Side = 8; // The side of a square, in pixels.
 
 /// Twice the area of the triangle o, a, b; positive if it is counter-clockwise.
-double Cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b)
+double GetTwiceArea(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b)
 {
   const glm::dvec2 p = a - o;
   const glm::dvec2 q = b - o;
@@ -32,7 +32,7 @@ int GetHull(std::array<glm::dvec2, 8>& points, std::array<glm::dvec2, 16>& hull)
   int count = 0;
   const auto add = [&](const glm::dvec2& point, int floor)
   {
-    while (count >= floor + 2 && Cross(hull[count - 2], hull[count - 1], point) <= 0.0)
+    while (count >= floor + 2 && GetTwiceArea(hull[count - 2], hull[count - 1], point) <= 0.0)
     {
       --count;
     }
@@ -120,7 +120,7 @@ void vtkNBufferPixelTest::SetOutline(
   const Corners& corners, const Errors& errors, const glm::dvec2& slack)
 {
   const auto& [a, b, c] = corners;
-  const double area = Cross(a, b, c);
+  const double area = GetTwiceArea(a, b, c);
   double length = 0.0;
   this->NumberOfEdges = 0;
   for (int i = 0; i < 3; ++i)

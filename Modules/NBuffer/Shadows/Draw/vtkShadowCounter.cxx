@@ -19,7 +19,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr const char* Failure =
+constexpr const char* CounterFailure =
   "A shader for shadow volumes does not compile on this driver. Update the driver, and report its "
   "message.";
 
@@ -37,7 +37,7 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
 
 /// The capabilities that decide where and in which samples volumes are drawn. A Scope begins with
 /// GL_MULTISAMPLE enabled and the others disabled.
-constexpr GLenum Capabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
+constexpr GLenum CounterCapabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
 
@@ -92,7 +92,7 @@ private:
 }
 
 vtkShadowCounter::vtkShadowCounter()
-  : MaskPass(vtkShadowTintFS, Failure)
+  : MaskPass(vtkShadowTintFS, CounterFailure)
 {
 }
 
@@ -108,7 +108,7 @@ vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport
       glDisable(GL_STENCIL_TEST);
       glDisable(GL_DEPTH_TEST);
     });
-  for (const GLenum name : Capabilities)
+  for (const GLenum name : CounterCapabilities)
   {
     this->AtEnd([name, on = glIsEnabled(name)] { (on ? glEnable : glDisable)(name); });
     (name == GL_MULTISAMPLE ? glEnable : glDisable)(name);
@@ -178,7 +178,8 @@ bool vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
   vtkSmartPointer<vtkShaderProgram>& program, const std::string& fragmentShader,
   const vtkShadowVolumeBuffer& volume, const vtkShadowDrawList::View& view, std::string& why)
 {
-  if (!vtkNBufferGL::UseProgram(window, program, vtkShadowVolumeVS, fragmentShader, Failure, why))
+  if (!vtkNBufferGL::UseProgram(
+        window, program, vtkShadowVolumeVS, fragmentShader, CounterFailure, why))
   {
     return false;
   }
