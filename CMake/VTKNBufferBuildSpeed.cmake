@@ -3,8 +3,8 @@
 
 # What makes a build from nothing short. Most of the time of a file of this project goes into
 # reading VTK's, GoogleTest's and the standard library's headers, and into optimising what they
-# bring along. The headers are read once, as precompiled headers, and the code of tests is
-# optimised less.
+# bring along. The headers are read once, as precompiled headers, several sources are compiled as
+# one (a unity build), and the code of tests is optimised less.
 #
 # Nothing of this reaches VTK's own tree, where the module is built without this file.
 
@@ -16,6 +16,7 @@ if (CMAKE_CXX_COMPILER_LAUNCHER)
 endif ()
 option(VTKNBUFFER_PRECOMPILE_HEADERS
   "Read the headers of VTK and the standard library once for many files" ${_nbuffer_precompile})
+option(VTKNBUFFER_UNITY_BUILD "Compile several source files as one" ON)
 option(VTKNBUFFER_CCACHE
   "Take ccache as the compilers' launcher where it is installed and no other launcher is given" ON)
 
@@ -46,17 +47,39 @@ set(_nbuffer_rendering_headers
   <vtkActor.h> <vtkCamera.h> <vtkOpenGLRenderWindow.h> <vtkOpenGLState.h> <vtkProperty.h>
   <vtkRenderer.h> <vtkShaderProgram.h>)
 
+# _nbuffer_unite(<target>...)
+#
+# Files that stand next to each other in the target's list are compiled as one: what they include is
+# read once, and templates and inline functions that several of them use are compiled once. Names in
+# anonymous namespaces have to differ within a target. A target that sets UNITY_GROUP for files of
+# its own sets UNITY_BUILD_MODE GROUP, too.
+#
+# GCC warns of a class with a base in an anonymous namespace that is not in the compiler's main
+# file. It is meant for headers, and here every source is included by another one.
+set(_nbuffer_unity_files 8)
+function (_nbuffer_unite)
+  set_target_properties(${ARGN} PROPERTIES
+    UNITY_BUILD "${VTKNBUFFER_UNITY_BUILD}"
+    UNITY_BUILD_BATCH_SIZE ${_nbuffer_unity_files})
+  if (VTKNBUFFER_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    foreach (target IN LISTS ARGN)
+      target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    endforeach ()
+  endif ()
+endfunction ()
+
 # nbuffer_precompile_module(<target>)
 #
 # The module's own precompiled header: it is compiled for a shared library, which nothing else is.
 # Called from outside of the module's CMakeLists.txt, which VTK's own tree reads too.
 function (nbuffer_precompile_module target)
-  if (NOT VTKNBUFFER_PRECOMPILE_HEADERS)
-    return()
-  endif ()
   get_target_property(aliased ${target} ALIASED_TARGET)
   if (aliased)
     set(target ${aliased})
+  endif ()
+  _nbuffer_unite(${target})
+  if (NOT VTKNBUFFER_PRECOMPILE_HEADERS)
+    return()
   endif ()
   target_precompile_headers(${target} PRIVATE
     ${_nbuffer_standard_headers} ${_nbuffer_data_headers} ${_nbuffer_rendering_headers})
@@ -83,6 +106,7 @@ endfunction ()
 #
 # For static libraries and programs that are optimised as the build type says.
 function (nbuffer_precompile)
+  _nbuffer_unite(${ARGN})
   if (NOT VTKNBUFFER_PRECOMPILE_HEADERS)
     return()
   endif ()
@@ -105,6 +129,7 @@ function (nbuffer_speed_up_tests)
   foreach (target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE ${_nbuffer_test_options})
   endforeach ()
+  _nbuffer_unite(${ARGN})
   if (NOT VTKNBUFFER_PRECOMPILE_HEADERS)
     return()
   endif ()

@@ -53,7 +53,7 @@ def configure(source, build, like):
     """With the generator, compiler and VTK of another build folder."""
     cache = (like / "CMakeCache.txt").read_text()
     command = ["cmake", "-S", source, "-B", build, "-DVTKNBUFFER_BUILD_EXAMPLES=OFF",
-               "-DCMAKE_BUILD_TYPE=Release"]
+               "-DCMAKE_BUILD_TYPE=Release", "-DVTKNBUFFER_UNITY_BUILD=OFF"]
     generator = re.search(r"^CMAKE_GENERATOR:INTERNAL=(.+)$", cache, re.MULTILINE)
     if generator:
         command += ["-G", generator[1]]

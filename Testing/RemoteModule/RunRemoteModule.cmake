@@ -24,6 +24,7 @@ execute_process(COMMAND "${CMAKE_COMMAND}" -S "${tree}" -B "${work}/build" -G "$
   "-DVTK_DIR=${VTK_DIR}"
   "-Dbuild_speed=${checkout}/CMake/VTKNBufferBuildSpeed.cmake"
   "-DVTKNBUFFER_PRECOMPILE_HEADERS=${precompile}"
+  "-DVTKNBUFFER_UNITY_BUILD=${precompile}"
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB libraries "${work}/build/lib*/*vtkNBuffer-tree.*")
