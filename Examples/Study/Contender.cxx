@@ -45,21 +45,47 @@ private:
   DepthStructure Levels;
 };
 
+/// Has the module's levels.
+class LevelsContender : public Contender
+{
+public:
+  LevelsContender(const std::string& name, int factor)
+    : Contender(name)
+    , Factor(factor)
+  {
+  }
+
+  std::size_t GetNumberOfTexels() const override
+  {
+    return static_cast<std::size_t>(this->Levels.GetWidth()) * this->Levels.GetHeight() *
+      this->Levels.GetNumberOfLevels();
+  }
+  std::size_t GetMemory() const override { return this->GetNumberOfTexels() * sizeof(float); }
+
+protected:
+  void BuildLevels(const DepthFrame& frame, int levels)
+  {
+    this->Levels.BuildBase(
+      frame.Depth.data(), frame.Width, frame.Height, this->Factor, vtkNBufferExtremum::Maximum);
+    this->Levels.BuildLevels(levels);
+  }
+
+  const int Factor;
+  vtkNBufferLevels Levels;
+};
+
 /// The module's levels without the pixels, and the place that keeps a box visible.
-class PositionContender : public Contender
+class PositionContender : public LevelsContender
 {
 public:
   explicit PositionContender(int factor)
-    : Contender("squares x4 1/" + std::to_string(factor) + " with positions")
-    , Factor(factor)
+    : LevelsContender("squares x4 1/" + std::to_string(factor) + " with positions", factor)
   {
   }
 
   void Build(const DepthFrame& frame) override
   {
-    this->Levels.BuildBase(
-      frame.Depth.data(), frame.Width, frame.Height, this->Factor, vtkNBufferExtremum::Maximum);
-    this->Levels.BuildLevels(std::numeric_limits<int>::max());
+    this->BuildLevels(frame, std::numeric_limits<int>::max());
   }
 
   bool IsHidden(const DepthFrame&, const DepthBox& box, ContestCounts& counts) override
@@ -76,16 +102,7 @@ public:
     return hidden;
   }
 
-  std::size_t GetNumberOfTexels() const override
-  {
-    return static_cast<std::size_t>(this->Levels.GetWidth()) * this->Levels.GetHeight() *
-      this->Levels.GetNumberOfLevels();
-  }
-  std::size_t GetMemory() const override { return this->GetNumberOfTexels() * sizeof(float); }
-
 private:
-  int Factor;
-  vtkNBufferLevels Levels;
   vtkNBufferRectangle Place; ///< The place of the last box that is not hidden.
 };
 
@@ -96,12 +113,11 @@ std::string GetModuleName(int factor, bool testPixels)
 
 /// The order of vtkNBufferDepthTest: the levels that are needed, the levels' word on every box, and
 /// the pixels' on what is in doubt.
-class ModuleContender : public Contender
+class ModuleContender : public LevelsContender
 {
 public:
   ModuleContender(const std::string& name, int factor, bool testLevels, bool testPixels)
-    : Contender(name)
-    , Factor(factor)
+    : LevelsContender(name, factor)
     , TestLevels(testLevels)
     , TestPixels(testPixels)
   {
@@ -119,9 +135,7 @@ public:
           levels, vtkNBufferOcclusionTest::GetLevelsNeeded(box.Screen.Pixels, this->Factor));
       }
     }
-    this->Levels.BuildBase(
-      frame.Depth.data(), frame.Width, frame.Height, this->Factor, vtkNBufferExtremum::Maximum);
-    this->Levels.BuildLevels(levels);
+    this->BuildLevels(frame, levels);
     this->Occlusion = std::make_unique<vtkNBufferOcclusionTest>(this->Levels);
     this->Pixels = std::make_unique<vtkNBufferPixelTest>(
       frame.Projection, this->Levels, frame.Depth.data(), 0.0);
@@ -138,18 +152,9 @@ public:
     return hidden;
   }
 
-  std::size_t GetNumberOfTexels() const override
-  {
-    return static_cast<std::size_t>(this->Levels.GetWidth()) * this->Levels.GetHeight() *
-      this->Levels.GetNumberOfLevels();
-  }
-  std::size_t GetMemory() const override { return this->GetNumberOfTexels() * sizeof(float); }
-
 private:
-  int Factor;
   bool TestLevels;
   bool TestPixels;
-  vtkNBufferLevels Levels;
   std::unique_ptr<vtkNBufferOcclusionTest> Occlusion;
   std::unique_ptr<vtkNBufferPixelTest> Pixels;
 };

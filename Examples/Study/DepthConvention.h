@@ -44,12 +44,6 @@ constexpr std::array<DepthConvention, 3> DepthConventions = { DepthConvention::F
   DepthConvention::Reversed, DepthConvention::InverseW };
 constexpr std::array<const char*, 3> DepthConventionNames = { "Forward", "Reversed", "InverseW" };
 
-/// Returns the sign of a convention: the order of a stored depth is this sign times the depth.
-inline double GetDepthSign(DepthConvention convention)
-{
-  return convention == DepthConvention::Forward ? 1.0 : -1.0;
-}
-
 /// Returns the order where nothing has been drawn.
 inline float GetBackgroundOrder(DepthConvention convention)
 {

@@ -18,8 +18,6 @@
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <random>
 #include <vector>
 
 using LargeProps::AddRandomArray;
@@ -81,13 +79,7 @@ vtkSmartPointer<vtkPolyData> MakeGlyphLattice()
     }
   }
   places.insert(places.end(), places.begin(), places.begin() + 300);
-  std::shuffle(places.begin(), places.end(), std::minstd_rand(7));
-  vtkNew<vtkPoints> points;
-  for (const glm::dvec3& place : places)
-  {
-    points->InsertNextPoint(glm::value_ptr(place));
-  }
-  return MakeGlyphData(points);
+  return MakeGlyphData(LargeProps::MakeShuffledPoints(places));
 }
 
 vtkGlyph3DMapper* GetGlyphMapper(Stage& stage)

@@ -17,8 +17,6 @@
 #include "vtkProperty.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <random>
 #include <vector>
 
 using LargeProps::AddRandomArray;
@@ -66,13 +64,7 @@ vtkSmartPointer<vtkPolyData> MakeSplatLattice()
       places.insert(places.end(), 2, { 1.0 * x, 1.0 * y, 0.5 * ((x + y) % 8) });
     }
   }
-  std::shuffle(places.begin(), places.end(), std::minstd_rand(7));
-  vtkNew<vtkPoints> points;
-  for (const glm::dvec3& place : places)
-  {
-    points->InsertNextPoint(glm::value_ptr(place));
-  }
-  return MakeSplatData(points, false);
+  return MakeSplatData(LargeProps::MakeShuffledPoints(places), false);
 }
 
 vtkPointGaussianMapper* GetSplatMapper(Stage& stage)

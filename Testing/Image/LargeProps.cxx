@@ -62,6 +62,17 @@ vtkSmartPointer<vtkPoints> MakeCloudPoints(int count)
   return points;
 }
 
+vtkSmartPointer<vtkPoints> MakeShuffledPoints(std::vector<glm::dvec3> places)
+{
+  std::shuffle(places.begin(), places.end(), std::minstd_rand(7));
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  for (const glm::dvec3& place : places)
+  {
+    points->InsertNextPoint(glm::value_ptr(place));
+  }
+  return points;
+}
+
 namespace
 {
 void SetWalkCamera(vtkRenderer* renderer, int frame, double start, double above)

@@ -8,11 +8,13 @@
 #define LargeProps_h
 
 #include "CullerTest.h"
+#include "vtkNBufferGLM.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkPoints.h"
 
 #include <random>
+#include <vector>
 
 namespace LargeProps
 {
@@ -45,6 +47,9 @@ void AddTallWalls(Stage& stage);
 
 /// Returns random points in a block of 60 x 60 x 8 units.
 vtkSmartPointer<vtkPoints> MakeCloudPoints(int count);
+
+/// Returns points at these places, in no order.
+vtkSmartPointer<vtkPoints> MakeShuffledPoints(std::vector<glm::dvec3> places);
 
 /// Adds an array of random values between two bounds.
 template <typename Array>
