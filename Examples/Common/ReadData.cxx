@@ -146,7 +146,7 @@ void ReadLegacy(const std::string& path, const ReadOptions& options, Scene& scen
 #ifdef NBUFFER_HAS_CITYGML
 /// Reads the finest level of detail in which something can be drawn: the reader reads one at a
 /// time.
-void ReadCity(const std::string& path, const ReadOptions& options, Scene& scene)
+void ReadCityModel(const std::string& path, const ReadOptions& options, Scene& scene)
 {
   vtkNew<vtkCityGMLReader> reader;
   reader->SetFileName(path.c_str());
@@ -180,7 +180,7 @@ std::vector<FileFormat> GetDataFormats()
 #ifdef NBUFFER_HAS_CITYGML
   for (const char* ending : { ".gml", ".citygml" })
   {
-    formats.push_back({ ending, "CityGML, its finest level of detail", ReadCity, z, false });
+    formats.push_back({ ending, "CityGML, its finest level of detail", ReadCityModel, z, false });
   }
 #endif
   return formats;
