@@ -88,6 +88,30 @@ TEST(CullerRanksDraw, TheOnlyCandidateOfARankIsNotDrawnWhereOthersHideIt)
   EXPECT_EQ(DrawRanks(options).back().Drawn[3], 0);
 }
 
+TEST(CullerRanksDraw, TheOnlyPropInViewOfARankHidesThoseOfOthers)
+{
+  RankOptions options;
+  options.Frames = 6;
+  options.Path = [](int frame) { return 0.001 * frame; };
+  // The last rank has only a wall across the street, and one behind the camera.
+  options.Build = [](RankStages& stages, int rank)
+  {
+    stages.Both(
+      [rank](Stage& stage)
+      {
+        if (rank == 3)
+        {
+          stage.GetRenderer()->RemoveAllViewProps();
+          Scenes::AddBox(stage, 24.0, 12.0, 20.0, 80.0, 0.5, 60.0);
+          Scenes::AddBox(stage, 24.0, -12.0, 20.0, 80.0, 0.5, 60.0);
+        }
+      });
+  };
+  const RankFrame last = DrawRanks(options).back();
+  EXPECT_EQ(last.Drawn[3], 1);
+  EXPECT_LT(last.GetDrawn(), 12);
+}
+
 TEST(CullerRanksDraw, OneExchangePerFrameAndOnlyAPollWhileStill)
 {
   RankOptions options;

@@ -94,7 +94,7 @@ namespace vtkNBufferCullingPolicy
 /**
  * Choose what to do with a frame. Returns vtkNBufferDecision::Culled if the frame is to be tested,
  * otherwise the reason why not. If the result is Culled and no prop is held back, there are kept
- * props, and the caller must hold back one of them, because without such a prop there is no test.
+ * props, and the caller must see to it that there is a test (vtkNBufferPartition::HoldBack()).
  *
  * A frame with fewer candidates Inside than `minimumNumberOfCandidates` is never tested. `backOff`
  * counts the frame, and leaves out frames of a pause and most idle frames; nullptr leaves out none.

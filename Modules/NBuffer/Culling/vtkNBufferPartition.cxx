@@ -17,6 +17,7 @@ void vtkNBufferPartition::Clear()
   this->HeldBack.clear();
   this->Translucent.clear();
   this->Lost = 0;
+  this->IsAnyOutside = false;
 }
 
 vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
@@ -43,6 +44,7 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
     {
       case vtkNBufferPlacement::Outside:
         state.Verdict = vtkNBufferVerdict::Outside;
+        this->IsAnyOutside = true;
         this->Lost += state.WasVisible ? 1 : 0;
         state.WasVisible = state.WasTested = false;
         break;
@@ -66,7 +68,7 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
 
 void vtkNBufferPartition::HoldBack(bool needsOne)
 {
-  if (needsOne && this->HeldBack.empty() && !this->Kept.empty())
+  if (needsOne && !this->IsAnyOutside && this->HeldBack.empty() && !this->Kept.empty())
   {
     const auto isNearer = [this](int a, int b)
     { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };

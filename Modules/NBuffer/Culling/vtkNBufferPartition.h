@@ -41,9 +41,10 @@ public:
   /// test. Returns the number of props of each kind.
   vtkNBufferFrustumCounts Classify();
 
-  /// Set the verdicts for a frame with a test. If no prop is held back so far and `needsOne` is
-  /// true, the farthest kept prop, if there is any, becomes the one that is held back, because it
-  /// hides least.
+  /// Set the verdicts for a frame with a test. The proxy that tests needs a place in the renderer's
+  /// list, which must not become longer. If no prop is held back or outside of the frustum and
+  /// `needsOne` is true, the farthest kept prop, if there is any, becomes the one that is held
+  /// back, because it hides least. Its depth is missing from the test.
   void HoldBack(bool needsOne);
 
   /// Prepare a frame without a test: empty the lists. All props are drawn, and the next frame keeps
@@ -90,6 +91,7 @@ private:
   std::vector<int> HeldBack;
   std::vector<int> Translucent;
   std::size_t Lost = 0; ///< The props that were visible and have left the frustum.
+  bool IsAnyOutside = false;
 };
 
 VTK_ABI_NAMESPACE_END
