@@ -124,9 +124,13 @@ void vtkNBufferBackend::MergePixels(
     const float* texels =
       levels.GetLevelData(0) + static_cast<std::size_t>(y / factor) * levels.GetWidth();
     float* row = this->Depth.data() + static_cast<std::size_t>(y) * levels.GetPixelWidth();
-    for (int x = pixels.X0; x < pixels.X1; ++x)
+    for (int x = pixels.X0; x < pixels.X1;)
     {
-      row[x] = std::min(row[x], texels[x / factor]);
+      const float texel = texels[x / factor];
+      for (const int end = std::min((x / factor + 1) * factor, pixels.X1); x < end; ++x)
+      {
+        row[x] = std::min(row[x], texel);
+      }
     }
   }
 }
