@@ -5,11 +5,13 @@
  * @brief A scene spread over the processes of mpirun, with and without the culler, and its pictures
  * compared to the byte.
  *
- *     mpirun -n 4 nbuffer-mpi-tests --spread random --path street --frames 60
+ *     mpirun -n 4 nbuffer-mpi-tests --spread random --path street --frames 60 --modes shared,local
  *
- * The last line also counts the frames in which VTK alone draws another picture on one process.
- * These are no errors: where props of two processes have the same depth in a pixel, compositing
- * decides which one is seen, and on one process the order of drawing.
+ * VTK alone on one process has to draw the same pictures, too. Where props of two processes have
+ * the same depth in a pixel, compositing shows that of the process with the lower number, and one
+ * process shows what it draws last. So its window has the props of the last process first, and
+ * those of the first process at the end. (VTK's own compositing has another rule. With it, the
+ * frames in which one process draws another picture are only counted.)
  *
  * With --case one process does not do what the others do. The last lines say how many props were
  * drawn, and the CPU time of each process, without the time of waiting for others.
@@ -38,7 +40,10 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <deque>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -52,10 +57,10 @@ struct Options
   std::string Spread = "kd";
   std::string Case = "none";
   std::string Compositing = "own";
+  std::vector<std::string> Modes = { "shared" };
   int Frames = 12;
   int Size[2] = { 480, 360 };
   int TileSize = 4;
-  bool Local = false;
   bool NoBackOff = false;
 };
 
@@ -163,14 +168,98 @@ void Disturb(const std::string& name, int frame, Window& window, vtkNBufferCulle
   }
 }
 
-struct Totals
+/// A window with a culler, and what its frames after the first two have cost in total.
+struct CulledWindow
 {
-  long long Drawn = 0;
-  long long Inside = 0;
-  long long Exchanges = 0;
-  double Stock = 0.0;
-  double Culled = 0.0;
+  CulledWindow(const Options& options, vtkMultiProcessController* controller, bool isShared)
+    : Shown(options, controller)
+  {
+    this->Shown.Renderer->AddCuller(this->Culler);
+    if (isShared)
+    {
+      this->Exchange->SetController(controller);
+      this->Exchange->SetRenderer(this->Shown.Renderer);
+      this->Exchange->SetTileSize(options.TileSize);
+      this->Exchange->SetBackOff(!options.NoBackOff);
+      this->Culler->SetDepthExchange(this->Exchange);
+    }
+  }
+
+  void AddFrame(const Window& stock)
+  {
+    const double frame[] = { static_cast<double>(this->Culler->GetNumberOfPropsDrawn()),
+      static_cast<double>(
+        this->Culler->GetNumberOfProps() - this->Culler->GetNumberOfPropsOutside()),
+      static_cast<double>(this->Exchange->GetNumberOfExchanges()),
+      this->Shown.IsOwn ? this->Shown.Parallel->GetTime() - this->Exchange->Time : 0.0,
+      stock.Parallel->GetTime() };
+    std::transform(
+      this->Totals.begin(), this->Totals.end(), frame, this->Totals.begin(), std::plus<double>());
+  }
+
+  /// To be called by all processes. The first one prints the means of all.
+  void Print(vtkMultiProcessController* controller, int frames, const std::string& mode) const
+  {
+    const int processes = controller->GetNumberOfProcesses();
+    std::vector<double> all(this->Totals.size() * processes);
+    controller->Gather(this->Totals.data(), all.data(), this->Totals.size(), 0);
+    std::array<double, 5> sums{};
+    const auto print = [&](const std::string& name, const std::array<double, 5>& values)
+    {
+      std::cout << mode << ", " << name << ": " << values[0] / frames << " of "
+                << values[1] / frames << " props drawn, " << values[2] / frames << " exchanges, "
+                << values[3] / frames << " ms (VTK alone " << values[4] / frames << " ms)\n";
+    };
+    for (int i = 0; i < processes && controller->GetLocalProcessId() == 0; ++i)
+    {
+      std::array<double, 5> values;
+      std::copy_n(all.begin() + i * values.size(), values.size(), values.begin());
+      print("process " + std::to_string(i), values);
+      std::transform(values.begin(), values.end(), sums.begin(), sums.begin(), std::plus<double>());
+    }
+    if (controller->GetLocalProcessId() == 0)
+    {
+      print("all", sums);
+    }
+  }
+
+  Window Shown;
+  vtkNew<TimedExchange> Exchange;
+  vtkNew<vtkNBufferCuller> Culler;
+  std::array<double, 5> Totals{}; ///< In the order in which Print() prints them.
 };
+
+/// Adds the actors that belong to a process, or those of all processes, the last one's first. The
+/// actors are the window's own: VTK would make their OpenGL objects anew if several windows had
+/// them.
+void AddActors(const NBufferExamples::Scene& scene, const std::vector<int>& owners, int processes,
+  int rank, vtkRenderer* renderer)
+{
+  scene.AddTo(renderer);
+  renderer->RemoveAllViewProps();
+  for (int process = processes - 1; process >= 0; --process)
+  {
+    for (std::size_t i = 0; i < owners.size(); ++i)
+    {
+      if (owners[i] == process && (rank < 0 || rank == process))
+      {
+        renderer->AddViewProp(scene.Actors[i]);
+      }
+    }
+  }
+}
+
+/// On the first process: prints how two pictures of a frame differ, and returns whether they do.
+bool Differ(const TestScene::Picture& expected, const TestScene::Picture& actual,
+  const std::string& mode, int frame)
+{
+  const std::string difference = TestScene::FindDifference(expected, actual);
+  if (!difference.empty())
+  {
+    std::cout << mode << ", frame " << frame << ": " << difference << std::flush;
+  }
+  return !difference.empty();
+}
 
 /// Returns the number of frames whose pictures differ.
 int Run(const Options& options, const char* program, vtkMPIController* controller)
@@ -181,107 +270,86 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
   double bounds[6];
   scene.GetBounds().GetBounds(bounds);
   const std::vector<int> owners = NBufferExamples::SpreadActors(scene, options.Spread, processes);
+  const bool drawsAlone = rank == 0 && options.Case == "none";
 
   Window alone(options, nullptr); // Everything on one process.
   Window stock(options, controller);
-  Window culled(options, controller);
-  std::vector<NBufferExamples::Scene> scenes;
-  for (Window* window : { &alone, &stock, &culled })
+  std::deque<CulledWindow> culled;
+  std::vector<Window*> windows = { &alone, &stock };
+  for (const std::string& mode : options.Modes)
   {
-    // Actors of its own: VTK would make their OpenGL objects anew whenever the window changes.
-    scenes.push_back(NBufferExamples::LoadScene({ options.Scene }, { program }));
-    scenes.back().AddTo(window->Renderer);
-    for (std::size_t i = 0; i < owners.size() && window != &alone; ++i)
-    {
-      if (owners[i] != rank)
-      {
-        window->Renderer->RemoveViewProp(scenes.back().Actors[i]);
-      }
-    }
+    culled.emplace_back(options, controller, mode == "shared");
+    windows.push_back(&culled.back().Shown);
   }
-  vtkNew<TimedExchange> exchange;
-  vtkNew<vtkNBufferCuller> culler;
-  culled.Renderer->AddCuller(culler);
-  if (!options.Local)
+  std::vector<NBufferExamples::Scene> scenes;
+  for (Window* window : windows)
   {
-    exchange->SetController(controller);
-    exchange->SetRenderer(culled.Renderer);
-    exchange->SetTileSize(options.TileSize);
-    exchange->SetBackOff(!options.NoBackOff);
-    culler->SetDepthExchange(exchange);
+    if (window != &alone || drawsAlone)
+    {
+      scenes.push_back(NBufferExamples::LoadScene({ options.Scene }, { program }));
+      AddActors(scenes.back(), owners, processes, window == &alone ? -1 : rank, window->Renderer);
+    }
   }
 
   const NBufferExamples::CameraPath path =
     NBufferExamples::MakePath(scene, options.Path, options.Frames, 1);
   int differing = 0;
-  int tied = 0; // Frames in which VTK alone draws another picture on one process.
-  Totals totals;
+  int unlike = 0; // Frames in which VTK alone draws another picture on one process.
   for (int frame = 0; frame < options.Frames; ++frame)
   {
     const int still = options.Case == "wall" ? 0 : frame;
-    for (Window* window : { &alone, &stock, &culled })
+    for (Window* window : windows)
     {
       // The other processes get the camera of the first one.
       NBufferExamples::ApplyPose(path[rank == 0 ? still : 0], bounds, window->Renderer);
       if (rank == processes - 1 && frame >= 2 && window != &alone)
       {
-        Disturb(options.Case, frame, *window, window == &culled ? culler.Get() : nullptr);
+        const auto found = std::find_if(culled.begin(), culled.end(),
+          [window](const CulledWindow& candidate) { return &candidate.Shown == window; });
+        Disturb(
+          options.Case, frame, *window, found == culled.end() ? nullptr : found->Culler.Get());
       }
       if (options.Case == "resized" && frame % 4 == 3)
       {
         window->Render->SetSize(options.Size[0] - 10 * frame, options.Size[1]);
       }
-      if (window != &alone || (rank == 0 && options.Case == "none"))
+      if (window != &alone || drawsAlone)
       {
         window->Render->Render();
       }
     }
-    // The first two frames include what is made once.
-    if (frame >= 2)
+    for (CulledWindow& window : culled)
     {
-      totals.Stock += stock.Parallel->GetTime();
-      totals.Culled += culled.IsOwn ? culled.Parallel->GetTime() - exchange->Time : 0.0;
-      totals.Drawn += culler->GetNumberOfPropsDrawn();
-      totals.Inside += culler->GetNumberOfProps() - culler->GetNumberOfPropsOutside();
-      totals.Exchanges += exchange->GetNumberOfExchanges();
-    }
-    exchange->Time = 0.0;
-    if (rank == 0)
-    {
-      const std::string difference =
-        TestScene::FindDifference(stock.GetPicture(), culled.GetPicture());
-      if (options.Case == "none" &&
-        !TestScene::FindDifference(TestScene::TakePicture(alone.Render), stock.GetPicture())
-           .empty())
+      // The first two frames include what is made once.
+      if (frame >= 2)
       {
-        ++tied;
+        window.AddFrame(stock);
       }
-      differing += difference.empty() ? 0 : 1;
-      std::cout << (difference.empty() ? "" : "frame " + std::to_string(frame) + ": ") << difference
-                << std::flush;
+      window.Exchange->Time = 0.0;
+    }
+    if (drawsAlone)
+    {
+      unlike += Differ(TestScene::TakePicture(alone.Render), stock.GetPicture(), "VTK alone", frame)
+        ? 1
+        : 0;
+    }
+    for (std::size_t i = 0; rank == 0 && i < culled.size(); ++i)
+    {
+      differing +=
+        Differ(stock.GetPicture(), culled[i].Shown.GetPicture(), options.Modes[i], frame) ? 1 : 0;
     }
   }
 
-  const double mine[] = { static_cast<double>(totals.Drawn), static_cast<double>(totals.Inside),
-    static_cast<double>(totals.Exchanges), totals.Stock, totals.Culled };
-  std::vector<double> all(5 * processes);
-  controller->Gather(mine, all.data(), 5, 0);
-  const double frames = std::max(options.Frames - 2, 1);
-  double sums[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-  for (int i = 0; i < processes && rank == 0; ++i)
+  for (std::size_t i = 0; i < culled.size(); ++i)
   {
-    const double* values = &all[5 * i];
-    std::cout << "process " << i << ": " << values[0] / frames << " of " << values[1] / frames
-              << " props drawn, " << values[2] / frames << " exchanges, " << values[4] / frames
-              << " ms (VTK alone " << values[3] / frames << " ms)\n";
-    std::transform(values, values + 5, sums, sums, std::plus<double>());
+    culled[i].Print(controller, std::max(options.Frames - 2, 1), options.Modes[i]);
   }
   if (rank == 0)
   {
-    std::cout << "all: " << sums[0] / frames << " of " << sums[1] / frames << " props drawn, "
-              << sums[4] / frames << " ms (VTK alone " << sums[3] / frames << " ms), " << differing
-              << " of " << options.Frames << " frames differ (VTK alone on one process: " << tied
-              << ")" << std::endl;
+    std::cout << differing << " of " << options.Frames * options.Modes.size()
+              << " frames differ, VTK alone on one process: " << unlike << " of "
+              << (drawsAlone ? options.Frames : 0) << std::endl;
+    differing += options.Compositing == "own" ? unlike : 0;
   }
   controller->Broadcast(&differing, 1, 0);
   return differing;
@@ -309,7 +377,10 @@ int main(int argc, char* argv[])
   app.add_option("--width", options.Size[0]);
   app.add_option("--height", options.Size[1]);
   app.add_option("--tile", options.TileSize);
-  app.add_flag("--local", options.Local, "without the exchange");
+  app
+    .add_option("--modes", options.Modes, "shared (with the exchange) and local (without), or one")
+    ->delimiter(',')
+    ->check(CLI::IsMember({ "shared", "local" }));
   app.add_flag("--no-back-off", options.NoBackOff);
   int failures = 0;
   try
