@@ -119,19 +119,23 @@ void vtkNBufferBackend::MergePixels(
   const vtkNBufferLevels& levels, const vtkNBufferRectangle& pixels)
 {
   const int factor = levels.GetFactor();
+  std::vector<float> nearest(pixels.GetWidth()); // The texel of each pixel of a row.
   for (int y = pixels.Y0; y < pixels.Y1; ++y)
   {
-    const float* texels =
-      levels.GetLevelData(0) + static_cast<std::size_t>(y / factor) * levels.GetWidth();
-    float* row = this->Depth.data() + static_cast<std::size_t>(y) * levels.GetPixelWidth();
-    for (int x = pixels.X0; x < pixels.X1;)
+    if (y == pixels.Y0 || y % factor == 0)
     {
-      const float texel = texels[x / factor];
-      for (const int end = std::min((x / factor + 1) * factor, pixels.X1); x < end; ++x)
+      const float* texels =
+        levels.GetLevelData(0) + static_cast<std::size_t>(y / factor) * levels.GetWidth();
+      for (int x = pixels.X0; x < pixels.X1; ++x)
       {
-        row[x] = std::min(row[x], texel);
+        nearest[x - pixels.X0] = texels[x / factor];
       }
     }
+    float* row =
+      this->Depth.data() + static_cast<std::size_t>(y) * levels.GetPixelWidth() + pixels.X0;
+    // Compilers turn this expression into a vector instruction.
+    std::transform(nearest.begin(), nearest.end(), row, row,
+      [](float texel, float pixel) { return texel < pixel ? texel : pixel; });
   }
 }
 
