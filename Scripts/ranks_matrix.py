@@ -7,7 +7,8 @@
 
 For each number of processes, spread and path, the same frames are drawn by VTK alone on one
 process, by VTK alone on all processes, and by the culler on all processes with the exchange of depth
-and without it. It prints a table, and ends with 1 if a picture differs. Rows that the JSON file has
+and without it. It prints a table of how many pictures differ from the one that they are compared
+with, and ends with 1 if any does. Rows that the JSON file has
 already are not drawn again, so that a run that was stopped can be continued. The whole matrix takes
 an hour or two. Without a display, start it with xvfb-run.
 """
@@ -51,6 +52,20 @@ def draw(program, processes, spread, path, frames, size):
     return row
 
 
+def format_table(rows):
+    """Return a table of how many of the compared pictures differ, for the document."""
+    groups = dict.fromkeys(tuple(key.split()[:2]) for key in rows)
+    lines = ["| processes, spread | " + " | ".join(PATHS) + " |", "|---" * (len(PATHS) + 1) + "|"]
+    for processes, spread in sorted(groups):
+        cells = []
+        for path in PATHS:
+            row = rows.get(f"{processes} {spread} {path}")
+            cells.append(f"{row['culled_differ'] + row['stock_differ']} of "
+                         f"{row['culled'] + row['stock']}" if row else "-")
+        lines.append(f"| {processes}, `{spread}` | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -78,6 +93,7 @@ def main():
             report["rows"][futures[future]] = future.result()
             arguments.json.write_text(json.dumps(report, indent=1, sort_keys=True) + "\n")
             print(futures[future], future.result(), flush=True)
+    print(format_table(report["rows"]))
     return 1 if any(row["culled_differ"] + row["stock_differ"] + row["ended_with"]
                     for row in report["rows"].values()) else 0
 
