@@ -271,7 +271,14 @@ void BuildScraps(Writer& writer)
     {
       mesh.Shape.Kind = ShapeKind::Ribbons;
     }
-    if (mesh.Shape.Seed % 4 == 1)
+    const int kind = mesh.Shape.Seed % 16;
+    if (kind % 4 == 0 || kind == 5)
+    {
+      mesh.Kind = PropKind::Glyphs;
+      mesh.Opacity = mesh.Shape.Seed % 3 == 1 ? 0.5 : 1.0;
+      mesh.Shape.Detail = std::min(mesh.Shape.Detail, 24);
+    }
+    if (kind % 4 == 1 && kind != 5)
     {
       mesh.Kind = PropKind::Splats;
       mesh.PointSize = 9.0 + mesh.Shape.Seed % 41;

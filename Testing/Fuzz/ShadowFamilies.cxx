@@ -269,8 +269,9 @@ bool IsPlain(const Scenario& scene)
     {
       return (prop.Kind == PropKind::Actor || prop.Kind == PropKind::Piped ||
                prop.Kind == PropKind::Composite || prop.Kind == PropKind::Glyphs) &&
-        prop.Shape.Kind != ShapeKind::Lines && prop.Shape.Kind != ShapeKind::Points &&
-        prop.Shape.Kind != ShapeKind::NaNPoint && prop.Shape.Kind != ShapeKind::Mesh &&
+        !HasSeveralSources(prop) && prop.Shape.Kind != ShapeKind::Lines &&
+        prop.Shape.Kind != ShapeKind::Points && prop.Shape.Kind != ShapeKind::NaNPoint &&
+        prop.Shape.Kind != ShapeKind::Mesh &&
         glm::all(glm::greaterThan(prop.Shape.Size, glm::dvec3(0.0))) &&
         prop.Representation == Representation::Surface && !prop.Edges && !prop.Vertices &&
         prop.Shader == Shader::Original && prop.CulledFaces == 0 && prop.OffsetUnits == 0.0 &&

@@ -72,6 +72,11 @@ void RemoveUndefined(Scenario& scene)
     {
       prop.Kind = PropKind::Actor;
     }
+    // VTK keeps the opacity of instances until mapper or data change (docs/limits.md).
+    if (prop.Kind == PropKind::Glyphs)
+    {
+      RemoveChanges(scene, ChangeKind::Opacity, prop.Id);
+    }
     // VTK 9.1 does not compile their shader, and crashes.
     if (prop.Kind == PropKind::Glyphs && !prop.ClippingPlane.empty())
     {

@@ -20,6 +20,7 @@ HOOK = "vtkNBufferDrawHook.cxx"
 UNIT_CULLING = "vtkNBufferUnitCulling.cxx"
 UNITS = "vtkNBufferUnits.cxx"
 OWN_DRAW = "vtkNBufferOwnDraw.cxx"
+INSTANCES = "vtkNBufferInstanceStream.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 PLAN = "vtkShadowPlan.cxx"
 DRAW_LIST = "vtkShadowDrawList.cxx"
@@ -78,9 +79,18 @@ MUTANTS = {
         (DIVIDED, "data->GetMTime() == source.DataTime;", "true;"),
         (HOOK, "source.Corners == 0 || !(source == this->Read) || (source.IsNumbered",
          "source.Corners == 0 || (source.IsNumbered")],
+    "the list of the first source drawn for all sources": [
+        (INSTANCES, "const Batch* batch = this->Find(GetKey(mapper, stream));",
+         "const Batch* batch = this->Batches.front().get();")],
+    "instances of a source counted from the first source": [
+        (INSTANCES, "part.push_back(*begin / 2 - first);",
+         "part.push_back(std::min<std::size_t>(*begin / 2, end - first - 1));")],
     "translucent units not tested in this frame": [
         (DIVIDED, "  this->Culling.ClearDrawn();\n  this->Culling.Test(projection, depth);\n",
          "  (void)projection;\n  (void)depth;\n")],
+    "translucent glyphs tested as a whole by the bounds that VTK estimates": [
+        ("vtkNBufferCandidate.h", "(this->IsTranslucent() && !this->HasInstances)",
+         "this->IsTranslucent()")],
     "units that are hidden stay hidden": [
         (UNIT_CULLING, "this->Marks[n] |= Visible;",
          "this->Marks[n] |= Visible; if (this->Turn % 2 == 0) { return; }")],

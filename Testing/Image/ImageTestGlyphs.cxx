@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Props with many instances of one source, of which only those that can be seen are drawn.
+// Props with many instances of some sources, of which only those that can be seen are drawn.
 #include "LargeProps.h"
 #include "Scenes.h"
 
 #include "vtkActor.h"
 #include "vtkBitArray.h"
+#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
@@ -100,6 +101,47 @@ vtkGlyph3DMapper* AddGlyphs(Stage& stage, vtkPolyData* data, vtkPolyData* source
   return mapper;
 }
 
+/// Gives each point one of these sources besides the first one, in no order.
+void AddSources(vtkGlyph3DMapper* mapper, const std::vector<vtkSmartPointer<vtkPolyData>>& sources)
+{
+  auto* data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const double end = static_cast<double>(sources.size()) + 1.0;
+  AddRandomArray<vtkFloatArray>(
+    data->GetPointData(), data->GetNumberOfPoints(), "sources", 1, 0.0, end);
+  for (const auto& source : sources)
+  {
+    mapper->SetSourceData(mapper->GetNumberOfInputConnections(1), source);
+  }
+  mapper->SetSourceIndexArray("sources");
+  mapper->SourceIndexingOn();
+}
+
+vtkSmartPointer<vtkPolyData> MakeRoundSource(double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+void AddCubesAndSpheres(Stage& stage)
+{
+  AddSources(AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(1.5)),
+    { MakeRoundSource(1.0), MakeCube(2.0, false) });
+}
+
+void MakeTranslucent(Stage& stage)
+{
+  for (const auto& prop : stage.Props)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()))
+    {
+      actor->GetProperty()->SetOpacity(0.4);
+    }
+  }
+}
+
 const LargeProps::Case GlyphCases[] = {
   { "CloudAndWalls",
     [](Stage& stage)
@@ -190,6 +232,67 @@ const LargeProps::Case GlyphCases[] = {
       AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(2.0))->AddClippingPlane(plane);
       AddTallWalls(stage);
     } },
+  { "SeveralSources",
+    [](Stage& stage)
+    {
+      AddCubesAndSpheres(stage);
+      AddTallWalls(stage);
+    } },
+  { "CubesOfSeveralSources",
+    [](Stage& stage)
+    {
+      AddSources(AddGlyphs(stage, MakeLattice(), MakeCube(2.0)), { MakeCube(2.0), MakeCube(2.0) });
+      AddTallWalls(stage);
+    } },
+  { "SourcesWithoutPoints",
+    [](Stage& stage)
+    {
+      vtkNew<vtkPolyData> empty;
+      AddSources(
+        AddGlyphs(stage, MakeGlyphCloud(3500), empty), { MakeCube(1.5), empty, MakeCube(2.0) });
+      AddTallWalls(stage);
+    } },
+  { "SourcesNotIndexed",
+    [](Stage& stage)
+    {
+      AddCubesAndSpheres(stage);
+      GetGlyphMapper(stage)->SourceIndexingOff();
+      AddTallWalls(stage);
+    } },
+  { "Translucent",
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(1.0));
+      MakeTranslucent(stage);
+      AddTallWalls(stage);
+    } },
+  { "TranslucentOfSeveralSources",
+    [](Stage& stage)
+    {
+      AddTallWalls(stage);
+      AddCubesAndSpheres(stage);
+      MakeTranslucent(stage);
+      AddGlyphs(stage, MakeLattice(), MakeCube(0.5));
+    } },
+  { "TranslucentPeeled",
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeGlyphCloud(2500), MakeCube(1.0));
+      MakeTranslucent(stage);
+      AddTallWalls(stage);
+      stage.Window->SetMultiSamples(0); // VTK peels with one sample only.
+      stage.Window->AlphaBitPlanesOn();
+      stage.GetRenderer()->UseDepthPeelingOn();
+    } },
+  { "TranslucentColors",
+    [](Stage& stage)
+    {
+      const vtkSmartPointer<vtkPolyData> data = MakeGlyphCloud(2500);
+      data->GetPointData()->SetScalars(AddRandomArray<vtkUnsignedCharArray>(
+        data->GetPointData(), data->GetNumberOfPoints(), "colors", 4, 0.0, 256.0));
+      AddGlyphs(stage, data, MakeCube(1.0));
+      AddTallWalls(stage);
+    } },
   { "TwoProps",
     [](Stage& stage)
     {
@@ -258,6 +361,7 @@ const LargeProps::Change GlyphChanges[] = {
       GetGlyphMapper(stage)->ScalarVisibilityOff();
       stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1);
     } },
+  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); } },
   { "ColorOfProperty",
     [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1); } },
   { "Lighting", [](Stage& stage) { stage.GetActor(0)->GetProperty()->LightingOff(); } },
@@ -297,6 +401,16 @@ const LargeProps::Change GlyphChanges[] = {
       GetGlyphMapper(stage)->SetSourceData(1, MakeCube(0.5));
       GetGlyphMapper(stage)->SetSourceIndexArray("sizes");
       GetGlyphMapper(stage)->SourceIndexingOn();
+    } },
+  { "SecondSourceOfLines",
+    [](Stage& stage)
+    {
+      vtkNew<vtkCellArray> lines;
+      lines->InsertNextCell({ 0, 7 });
+      vtkSmartPointer<vtkPolyData> source = MakeCube(0.5);
+      source->SetPolys(nullptr);
+      source->SetLines(lines);
+      AddSources(GetGlyphMapper(stage), { source });
     },
     false },
   { "Wireframe",
@@ -347,11 +461,80 @@ TEST_P(CullerGlyphsChanges, SameImage)
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
 
+// Hazard: of several sources, only changes of the first one are noticed.
+TEST(CullerGlyphsSources, EachMayChange)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      AddCubesAndSpheres(stage);
+      AddTallWalls(stage);
+    },
+    MakeOptions());
+  for (int source = 0; source < 3; ++source)
+  {
+    LargeProps::CompareChange(
+      comparison,
+      [source](Stage& stage)
+      {
+        vtkPolyData* data = GetGlyphMapper(stage)->GetSource(source);
+        TestScene::MovePoints(data->GetPoints(), { 0.0, 0.0, 2.0 }, 0.5);
+        data->Modified();
+      },
+      WalkFromOutside);
+    EXPECT_GT(comparison.GetStatistics().UnitsHidden, 0);
+  }
+}
+
+// Hazard: translucent glyphs that are hidden as a whole are drawn, or stay hidden.
+TEST(CullerGlyphsTranslucent, HiddenAsAWhole)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeGlyphCloud(500), MakeCube(1.0));
+      MakeTranslucent(stage);
+      Scenes::AddBox(stage, 0.0, -35.0, 0.0, 200.0, 0.3, 200.0);
+      Scenes::AddBox(stage, 0.0, 40.0, 0.0, 1.0, 1.0, 1.0);
+    },
+    MakeOptions());
+  for (int i = 0; i < 9; ++i)
+  {
+    comparison.Frame(
+      [i](Stage& stage)
+      {
+        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+        camera->SetPosition(0.1 * i, -60.0, 4.0);
+        camera->SetFocalPoint(0.0, 0.0, 4.0);
+        camera->SetViewUp(0.0, 0.0, 1.0);
+        camera->SetClippingRange(1.0, 200.0);
+        stage.GetActor(1)->SetPosition(0.0, 0.0, i == 7 ? 120.0 : 0.0);
+      });
+    // In frame 8 the wall is drawn after the test.
+    const bool isHidden = i > 1 && i < 7;
+    EXPECT_EQ(comparison.GetVerdict(0), isHidden ? Verdict::Hidden : Verdict::Translucent) << i;
+    if (isHidden)
+    {
+      const vtkNBufferStatistics& statistics = comparison.GetStatistics();
+      EXPECT_GT(statistics.UnitsHidden, 400) << i;
+      EXPECT_EQ(statistics.UnitsHidden + statistics.UnitsOutside, statistics.Units) << i;
+    }
+  }
+  comparison.Frame("still");
+  EXPECT_EQ(comparison.GetVerdict(0), Verdict::Hidden);
+}
+
 // Hazard: hidden instances cannot be picked, or have the ids of others.
 TEST(CullerGlyphsPicking, SamePoints)
 {
   Comparison comparison(
     [](Stage& stage) { AddGlyphs(stage, MakeGlyphCloud(800), MakeCube(2.5)); }, MakeGlyphOptions());
+  LargeProps::ComparePicks(comparison, WalkFromOutside);
+}
+
+TEST(CullerGlyphsPicking, SamePointsOfSeveralSources)
+{
+  Comparison comparison(AddCubesAndSpheres, MakeOptions());
   LargeProps::ComparePicks(comparison, WalkFromOutside);
 }
 

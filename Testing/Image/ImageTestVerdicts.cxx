@@ -9,10 +9,13 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
+#include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkIntArray.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -111,6 +114,24 @@ void SetGlyphs(vtkActor* actor)
   actor->SetMapper(mapper);
 }
 
+/// Each third point has another source.
+void SetGlyphsOfSeveralSources(vtkActor* actor)
+{
+  SetGlyphs(actor);
+  auto* mapper = static_cast<vtkGlyph3DMapper*>(actor->GetMapper());
+  vtkNew<vtkIntArray> sources;
+  sources->SetName("sources");
+  for (int part = 0; part < Count; ++part)
+  {
+    sources->InsertNextValue(part % 3);
+  }
+  vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))->GetPointData()->AddArray(sources);
+  mapper->SetSourceIndexArray("sources");
+  mapper->SourceIndexingOn();
+  mapper->SetSourceData(1, mapper->GetSource(0));
+  mapper->SetSourceData(2, mapper->GetSource(0));
+}
+
 void SetBlocks(vtkActor* actor)
 {
   vtkNew<CompositeMapper> mapper;
@@ -127,6 +148,7 @@ struct VerdictKind : NamedCase
   int UnitsOfPlace = 1;
 };
 const VerdictKind KindsOfParts[] = { { "Instances", 1, 24, SetGlyphs, 0, 2 },
+  { "InstancesOfSeveralSources", 1, 12, SetGlyphsOfSeveralSources, 0, Copies },
   { "Blocks", 3, 4, SetBlocks, 1, Copies }, { "Triangles", 3, 4, nullptr },
   { "Points", 1, 4, nullptr } };
 }

@@ -154,6 +154,25 @@ void ScatterGlyphs(vtkPolyData* points, vtkGlyph3DMapper* mapper, int seed)
   mapper->SetMasking(seed % 2 != 0);
 }
 
+/// The points get the first source and two others by turns.
+void AddSources(vtkPolyData* points, vtkGlyph3DMapper* mapper, Shape shape)
+{
+  vtkNew<vtkDoubleArray> sources;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    sources->InsertNextValue(static_cast<double>(i % 3));
+  }
+  sources->SetName("sources");
+  points->GetPointData()->AddArray(sources);
+  for (const ShapeKind kind : { ShapeKind::Box, ShapeKind::Quad })
+  {
+    shape.Kind = kind;
+    mapper->SetSourceData(mapper->GetNumberOfInputConnections(1), MakeShape(shape));
+  }
+  mapper->SetSourceIndexArray("sources");
+  mapper->SourceIndexingOn();
+}
+
 vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
 {
   if (prop.Kind == PropKind::DataSet)
@@ -168,12 +187,19 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
     small.Center = { 0.0, 0.0, 0.0 };
     small.Size *= 0.2;
     vtkNew<vtkGlyph3DMapper> mapper;
-    vtkSmartPointer<vtkPolyData> points = MakeShape(prop.Shape);
+    Shape places = prop.Shape;
+    places.CellValues =
+      false; // VTK would read the color of each point from the fewer ones of cells.
+    vtkSmartPointer<vtkPolyData> points = MakeShape(places);
     mapper->SetInputData(points);
     mapper->SetSourceData(MakeShape(small));
     if (prop.Shape.Seed % 2)
     {
       ScatterGlyphs(points, mapper, prop.Shape.Seed / 2);
+    }
+    if (HasSeveralSources(prop))
+    {
+      AddSources(points, mapper, small);
     }
     return mapper;
   }

@@ -120,25 +120,51 @@ vtkGlyph3DMapper* GetMapper(vtkMapper* mapper)
 {
   // The class that the object factory makes has no header that may be included.
   if (!mapper || std::strcmp(mapper->GetClassName(), "vtkOpenGLGlyph3DMapper") != 0 ||
-    mapper->GetNumberOfInputConnections(0) != 1 || mapper->GetNumberOfInputConnections(1) != 1)
+    mapper->GetNumberOfInputConnections(0) != 1 || mapper->GetNumberOfInputConnections(1) == 0)
   {
     return nullptr;
   }
   auto* glyphs = static_cast<vtkGlyph3DMapper*>(mapper);
-  return GetData(glyphs) && GetSource(glyphs) && !glyphs->GetUseSourceTableTree() &&
-      !glyphs->GetCullingAndLOD() && !glyphs->GetAbortExecute()
+  for (int i = 0; i < glyphs->GetNumberOfInputConnections(1); ++i)
+  {
+    if (!glyphs->GetSource(i))
+    {
+      return nullptr;
+    }
+  }
+  return GetData(glyphs) && !glyphs->GetUseSourceTableTree() && !glyphs->GetCullingAndLOD() &&
+      !glyphs->GetAbortExecute()
     ? glyphs
     : nullptr;
-}
-
-vtkPolyData* GetSource(vtkGlyph3DMapper* mapper)
-{
-  return vtkPolyData::SafeDownCast(mapper->GetInputDataObject(1, 0));
 }
 
 vtkMTimeType GetTime(vtkGlyph3DMapper* mapper)
 {
   return std::max(mapper->GetMTime(), GetData(mapper)->GetMTime());
+}
+
+std::vector<int> GetSources(vtkGlyph3DMapper* mapper)
+{
+  vtkDataSet* data = GetData(mapper);
+  vtkDataArray* indices = vtkNBufferProtectedMembers::GetGlyphArrays(mapper, data).SourceIndex;
+  const int last = mapper->GetNumberOfInputConnections(1) - 1;
+  std::vector<bool> isEmpty;
+  for (int source = 0; source <= last; ++source)
+  {
+    isEmpty.push_back(mapper->GetSource(source)->GetNumberOfPoints() == 0);
+  }
+  std::vector<int> sources(static_cast<std::size_t>(data->GetNumberOfPoints()), 0);
+  for (std::size_t point = 0; point < sources.size(); ++point)
+  {
+    const auto i = static_cast<vtkIdType>(point);
+    if (indices && i < indices->GetNumberOfTuples())
+    {
+      const double value = vtkMath::Norm(indices->GetTuple(i), indices->GetNumberOfComponents());
+      sources[point] = value < last ? static_cast<int>(value) : last;
+    }
+    sources[point] = isEmpty[sources[point]] ? -1 : sources[point];
+  }
+  return sources;
 }
 
 std::vector<std::array<double, 16>> GetMatrices(vtkGlyph3DMapper* mapper)

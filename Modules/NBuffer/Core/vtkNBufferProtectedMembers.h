@@ -139,6 +139,7 @@ struct GlyphArrays
   vtkDataArray* Mask;
   vtkDataArray* Orientation;
   vtkDataArray* Scale;
+  vtkDataArray* SourceIndex;
 };
 
 inline GlyphArrays GetGlyphArrays(vtkGlyph3DMapper* mapper, vtkDataSet* data)
@@ -148,7 +149,8 @@ inline GlyphArrays GetGlyphArrays(vtkGlyph3DMapper* mapper, vtkDataSet* data)
     static GlyphArrays Get(vtkGlyph3DMapper* mapper, vtkDataSet* data)
     {
       return { (mapper->*&Access::GetMaskArray)(data),
-        (mapper->*&Access::GetOrientationArray)(data), (mapper->*&Access::GetScaleArray)(data) };
+        (mapper->*&Access::GetOrientationArray)(data), (mapper->*&Access::GetScaleArray)(data),
+        (mapper->*&Access::GetSourceIndexArray)(data) };
     }
   };
   return Access::Get(mapper, data);

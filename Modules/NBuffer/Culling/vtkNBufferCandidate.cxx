@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidate.h"
 
+#include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
@@ -89,7 +90,8 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   const vtkMapper* mapperBefore = this->Watch.GetMapper();
   const vtkNBufferVerdict box = this->ReadBox(actor);
   this->Uses = vtkNBufferSharedState::GetUses(actor);
-  this->Verdict = this->Classify(actor, box);
+  this->HasInstances = vtkNBufferInstanceStream::MayBeDivided(actor, true);
+  this->Verdict = this->HasInstances ? vtkNBufferVerdict::Translucent : this->Classify(actor, box);
   this->DepthWriter = actor->GetMapper() && actor->HasOpaqueGeometry();
   this->Blended = BlendsAmongOpaque(actor);
   this->Offset = vtkNBufferSurface::HasOffset(actor);

@@ -48,8 +48,12 @@ public:
   /// held back, but it is not drawn if it is hidden.
   bool IsTranslucent() const { return this->GetVerdict() == vtkNBufferVerdict::Translucent; }
 
-  /// Whether the prop is tested, so that it has a box and, in each view, a vtkNBufferPlacement.
-  bool HasPlacement() const { return this->IsCandidate() || this->IsTranslucent(); }
+  /// Whether the prop is tested as a whole, so that it has a box and, in each view, a
+  /// vtkNBufferPlacement. Of translucent instances, which have no box, only units are tested.
+  bool HasPlacement() const
+  {
+    return this->IsCandidate() || (this->IsTranslucent() && !this->HasInstances);
+  }
 
   /// Visible for a candidate, otherwise the reason why the prop is no candidate.
   vtkNBufferVerdict GetVerdict() const
@@ -159,6 +163,7 @@ private:
   vtkNBufferBox Box;
   vtkNBufferSharedState::Uses Uses;
   bool Offset = false;
+  bool HasInstances = false; ///< Whether these are translucent instances.
 };
 
 /// What a view knows of a prop in one frame. It is small and not a part of vtkNBufferCandidate,

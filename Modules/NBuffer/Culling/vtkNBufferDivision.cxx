@@ -140,7 +140,8 @@ void vtkNBufferDivision::Classify(
       state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
       (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
     const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent &&
-      state.Placement != vtkNBufferPlacement::Outside;
+      (state.Placement != vtkNBufferPlacement::Outside ||
+        !this->Props.GetCandidate(entry.Place).HasPlacement());
     const bool isTested = (entry.IsHeldBack || isKept || isTranslucent) && entry.Prop->IsReady() &&
       !(settings.BackOff && entry.BackOff.CountPausedFrame());
     entry.IsActive = isTested && !isTranslucent;
@@ -159,13 +160,13 @@ void vtkNBufferDivision::Classify(
   }
 }
 
-int vtkNBufferDivision::CountTranslucentAtNearPlane() const
+int vtkNBufferDivision::CountTranslucentByUnits() const
 {
   return static_cast<int>(std::count_if(this->Entries.begin(), this->Entries.end(),
     [this](const Entry& entry)
     {
       return entry.IsPending &&
-        this->Props.GetState(entry.Place).Placement == vtkNBufferPlacement::Crossing;
+        this->Props.GetState(entry.Place).Placement != vtkNBufferPlacement::Inside;
     }));
 }
 
@@ -266,8 +267,8 @@ void vtkNBufferDivision::TestTranslucent(const vtkNBufferDividedProp::Depth& dep
     entry.Prop->TestAll(entry.Projection, depth);
     const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
     entry.BackOff.Learn(units.Units - units.Fresh, units.Units);
-    entry.IsActive = units.Fresh > 0;
-    if (!entry.IsActive)
+    entry.IsActive = true; // Its units count, so that the tests of a hidden prop are worth it.
+    if (units.Fresh == 0)
     {
       hide(entry.Place);
     }

@@ -59,8 +59,8 @@ public:
   void Classify(const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts);
 
   /// The number of translucent props of which the units are tested, but not the whole box, because
-  /// it reaches the near plane.
-  int CountTranslucentAtNearPlane() const;
+  /// it reaches the near plane or there is none.
+  int CountTranslucentByUnits() const;
 
   /// Whether any unit is held back while its prop is not.
   bool HoldsUnits() const;

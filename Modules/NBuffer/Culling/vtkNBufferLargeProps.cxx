@@ -48,7 +48,9 @@ bool HasCells(vtkDataObject* data, vtkIdType minimum)
 bool vtkNBufferLargeProps::IsLarge(vtkProp* prop, int minimum)
 {
   vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop);
-  if (actor && vtkNBufferInstanceStream::MayBeDivided(actor))
+  if (actor &&
+    (vtkNBufferInstanceStream::MayBeDivided(actor, false) ||
+      vtkNBufferInstanceStream::MayBeDivided(actor, true)))
   {
     return vtkNBufferInstanceStream::CountPolygons(actor) >= minimum;
   }
@@ -76,11 +78,11 @@ bool vtkNBufferLargeProps::MayBeDivided(const vtkNBufferCandidate& candidate)
   // VTK does not know the bounds of instances and splats.
   if (candidate.GetVerdict() == vtkNBufferVerdict::NotAPlainMapper)
   {
-    return vtkNBufferInstanceStream::MayBeDivided(actor) ||
+    return vtkNBufferInstanceStream::MayBeDivided(actor, false) ||
       vtkNBufferSplatStream::MayBeDivided(actor);
   }
   // Translucent composite data may have opaque blocks.
-  return candidate.HasPlacement() && HasUnits(actor->GetMapper()) &&
+  return (candidate.IsCandidate() || candidate.IsTranslucent()) && HasUnits(actor->GetMapper()) &&
     !(candidate.IsTranslucent() && vtkNBufferSurface::IsComposite(actor->GetMapper()));
 }
 VTK_ABI_NAMESPACE_END

@@ -137,7 +137,7 @@ vtkNBufferDecision vtkNBufferView::Divide()
   }
   this->Partition.HoldBack(!this->Division.HoldsUnits());
   this->Division.MarkOutside();
-  this->Statistics.HeldBack = this->Division.CountTranslucentAtNearPlane() +
+  this->Statistics.HeldBack = this->Division.CountTranslucentByUnits() +
     static_cast<int>(
       this->Partition.GetHeldBack().size() + this->Partition.GetTranslucent().size());
   return decision;

@@ -10,6 +10,7 @@
 #include "vtkActor2D.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationIterator.h"
 #include "vtkMapper.h"
@@ -209,10 +210,11 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   }
   const std::vector<vtkNBufferSurface::Plane> planes =
     vtkNBufferSurface::GetClippingPlanes(actor->GetMapper());
-  if (vtkGlyph3DMapper* glyphs = vtkNBufferGlyphs::GetMapper(actor->GetMapper()))
+  vtkGlyph3DMapper* glyphs = vtkNBufferGlyphs::GetMapper(actor->GetMapper());
+  if (glyphs && glyphs->GetNumberOfInputConnections(1) == 1)
   {
     vtkNBufferSurface::Part part;
-    part.Mesh = vtkNBufferGlyphs::GetSource(glyphs);
+    part.Mesh = glyphs->GetSource();
     std::copy_n(matrix->GetData(), 16, part.ToWorld.begin());
     this->AddMesh(part, glyphs, path, planes, member);
     return;

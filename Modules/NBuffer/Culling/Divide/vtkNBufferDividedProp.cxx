@@ -101,7 +101,7 @@ bool vtkNBufferDividedProp::HasSameData() const
 
 void vtkNBufferDividedProp::ReadRounding()
 {
-  if (this->Hook.GetSource().HasInstances())
+  if (this->Hook.GetSource().AreInstances)
   {
     this->Culling.SetRounding({ glm::dvec3(0.0), this->Hook.GetInstances().GetMagnitude(), 0.0 });
     return;
@@ -136,7 +136,7 @@ void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
   this->Mesh = this->Hook.TakeMesh();
   std::size_t size =
     this->Hook.GetSource().HasBlocks() ? 1 : static_cast<std::size_t>(tuning.UnitSize);
-  if (this->Hook.GetSource().HasInstances())
+  if (this->Hook.GetSource().AreInstances)
   {
     size = vtkNBufferInstanceStream::GetUnitSize(this->Hook.GetSource().IndexCount, size);
   }
@@ -158,9 +158,16 @@ void vtkNBufferDividedProp::Adopt()
 
 vtkNBufferVerdict vtkNBufferDividedProp::GetVerdict(int part)
 {
-  const std::size_t primitive = this->Hook.GetSource().HasBlocks()
-    ? this->Hook.GetBlocks().FindBlock(static_cast<unsigned int>(part))
-    : static_cast<std::size_t>(part);
+  const vtkNBufferDrawHook::Source& source = this->Hook.GetSource();
+  auto primitive = static_cast<std::size_t>(part);
+  if (source.AreInstances)
+  {
+    primitive = this->Hook.GetInstances().FindInstance(primitive);
+  }
+  else if (source.HasBlocks())
+  {
+    primitive = this->Hook.GetBlocks().FindBlock(static_cast<unsigned int>(part));
+  }
   return this->Culling.GetVerdict(primitive);
 }
 

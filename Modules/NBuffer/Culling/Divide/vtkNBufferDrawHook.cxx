@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <typeinfo>
 #include <utility>
 
@@ -22,16 +23,6 @@ namespace
 {
 vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
 {
-  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
-  {
-    const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(instances);
-    vtkPolyData* source = instances->CurrentInput;
-    const bool isKnown =
-      buffers && source && stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints;
-    return isKnown ? vtkNBufferDrawHook::Source{ mapper, source, source->GetMTime(),
-      stream->IBO->IndexCount, 2, buffers->BuildTime }
-                   : vtkNBufferDrawHook::Source{ mapper };
-  }
   vtkPolyData* data = mapper->GetInput();
   const bool isSplats = vtkNBufferSplatStream::GetHelper(mapper) != nullptr;
   const std::size_t corners =
@@ -44,7 +35,7 @@ vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLH
           : static_cast<std::size_t>(data->GetNumberOfPoints())) &&
     stream->IBO->IndexCount % corners == 0;
   return { mapper, data, data ? data->GetMTime() : 0, stream->IBO->IndexCount,
-    isKnown ? corners : 0, 0, vtkNBufferOwnDraw::NumbersPrimitives(stream) };
+    isKnown ? corners : 0, false, vtkNBufferOwnDraw::NumbersPrimitives(stream) };
 }
 }
 
@@ -118,7 +109,7 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
   }
   std::vector<unsigned int> part;
   units.GetIndices(marked, indices, part);
-  if (this->Read.HasInstances())
+  if (this->Read.AreInstances)
   {
     this->Instances.Upload(list, part);
   }
@@ -151,6 +142,10 @@ void vtkNBufferDrawHook::BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop)
   {
     this->SetBlocks(mapper);
   }
+  else if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
+  {
+    this->SetInstances(instances);
+  }
   else
   {
     this->SetStream(mapper);
@@ -159,10 +154,8 @@ void vtkNBufferDrawHook::BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop)
 
 void vtkNBufferDrawHook::SetStream(vtkAbstractMapper* mapper)
 {
-  vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper);
   vtkOpenGLPolyDataMapper* splats = vtkNBufferSplatStream::GetHelper(mapper);
-  const bool isDrawnByStreams =
-    instances || splats || typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper);
+  const bool isDrawnByStreams = splats || typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper);
   auto* surface = isDrawnByStreams ? static_cast<vtkOpenGLPolyDataMapper*>(mapper) : nullptr;
   vtkOpenGLHelper* stream = surface ? vtkNBufferProtectedMembers::GetOnlyStream(surface) : nullptr;
   const Source source = stream ? ::GetSource(surface, stream) : Source{ surface };
@@ -177,17 +170,43 @@ void vtkNBufferDrawHook::SetStream(vtkAbstractMapper* mapper)
   }
   const bool hasIndices = !splats || !vtkNBufferSplatStream::DrawsArrays(stream);
   this->Own.SetNext(surface, stream, hasIndices,
-    [this, list = this->Current, instances, stream]()
+    [this, list = this->Current, stream]()
     {
       const Buffer& buffer = this->Buffers[list];
-      if (instances)
-      {
-        return this->Instances.Draw(list, instances, stream);
-      }
       return this->Read.IsNumbered
         ? vtkNBufferOwnDraw::DrawRanges(buffer.Ranges, stream)
         : vtkNBufferOwnDraw::DrawIndices(buffer.Object, this->Read.Corners == 1);
     });
+}
+
+void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
+{
+  // There is one mapper for each source.
+  vtkOpenGLHelper* stream = vtkNBufferProtectedMembers::GetOnlyStream(mapper);
+  if (this->Reads)
+  {
+    if (!this->Read.Mapper)
+    {
+      this->Instances.Clear();
+    }
+    this->Instances.Read(this->Actor, mapper, stream, this->Mesh);
+    const std::size_t indices = stream ? stream->IBO->IndexCount : 0;
+    this->Read = { mapper, nullptr, 0, std::max(this->Read.IndexCount, indices), this->Mesh.Corners,
+      true };
+    return;
+  }
+  if (this->Current == Whole)
+  {
+    return;
+  }
+  if (!this->Instances.IsAsRead(mapper, stream))
+  {
+    this->Stale = true;
+    return;
+  }
+  this->Own.SetNext(mapper, stream, true,
+    [this, list = this->Current, mapper, stream]()
+    { return this->Instances.Draw(list, mapper, stream); });
 }
 
 void vtkNBufferDrawHook::SetBlocks(vtkAbstractMapper* mapper)
@@ -213,12 +232,6 @@ void vtkNBufferDrawHook::ReadSource(
   this->Read = source;
   if (source.Corners == 0)
   {
-    return;
-  }
-  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
-  {
-    const bool isRead = this->Instances.Read(this->Actor, instances, this->Mesh);
-    this->Read.Corners = isRead ? source.Corners : 0;
     return;
   }
   vtkPolyData* data = mapper->GetInput();

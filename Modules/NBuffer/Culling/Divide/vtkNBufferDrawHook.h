@@ -46,6 +46,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkActor;
 class vtkNBufferDrawPass;
+class vtkOpenGLGlyph3DHelper;
 class vtkOpenGLHelper;
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
@@ -73,19 +74,18 @@ public:
     /// 3 for triangles, 1 for points, 2 for the boxes of instances (vtkNBufferInstanceStream) or
     /// blocks (vtkNBufferBlockStream), 0 for what cannot be divided.
     std::size_t Corners = 0;
-    vtkMTimeType InstanceTime = 0; ///< When the instances were uploaded.
+    bool AreInstances = false; ///< Corners of boxes are those of instances.
     /// Whether the shader reads values by the numbers of primitives, for example values of cells.
     /// This depends on the shader alone, and is not compared.
     bool IsNumbered = false;
 
-    bool HasInstances() const { return this->InstanceTime > 0; }
-    bool HasBlocks() const { return this->Corners == 2 && !this->HasInstances(); }
+    bool HasBlocks() const { return this->Corners == 2 && !this->AreInstances; }
 
     bool operator==(const Source& other) const
     {
       return this->Mapper == other.Mapper && this->Data == other.Data &&
         this->DataTime == other.DataTime && this->IndexCount == other.IndexCount &&
-        this->Corners == other.Corners && this->InstanceTime == other.InstanceTime;
+        this->Corners == other.Corners;
     }
   };
 
@@ -154,6 +154,7 @@ private:
 
   void BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop);
   void SetBlocks(vtkAbstractMapper* mapper);
+  void SetInstances(vtkOpenGLGlyph3DHelper* mapper);
   void SetStream(vtkAbstractMapper* mapper);
   void ReadSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source);
   bool IsAsRead(const Source& source);

@@ -9,9 +9,7 @@
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
-#include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -21,7 +19,9 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -36,6 +36,9 @@ constexpr std::size_t LargestUnit = 2;
 
 /// Each vertex of an instance is rounded in two products of matrices. See Read().
 constexpr double Products = 2.0;
+
+/// The number of points without an instance.
+constexpr unsigned int NoInstance = std::numeric_limits<unsigned int>::max();
 
 /// The first `size` values of a buffer of VTK, or all of them if the size is 0.
 template <typename T>
@@ -61,16 +64,16 @@ std::vector<T> ReadBuffer(vtkOpenGLBufferObject* buffer, std::size_t size = 0)
   return values;
 }
 
-/// Upload the groups of `size` values that belong to the instances with these corners.
+/// Upload the groups of `size` values at these places.
 template <typename T>
 void UploadPart(vtkOpenGLBufferObject* buffer, const std::vector<T>& all, std::size_t size,
-  const std::vector<unsigned int>& corners)
+  const std::vector<std::size_t>& places)
 {
   std::vector<T> part;
-  part.reserve(corners.size() / 2 * size);
-  for (std::size_t i = 0; i < corners.size() && !all.empty(); i += 2)
+  part.reserve(places.size() * size);
+  for (std::size_t i = 0; i < places.size() && !all.empty(); ++i)
   {
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(corners[i] / 2 * size);
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(places[i] * size);
     part.insert(part.end(), begin, begin + static_cast<std::ptrdiff_t>(size));
   }
   if (!part.empty())
@@ -87,24 +90,29 @@ vtkOpenGLGlyph3DHelper* vtkNBufferInstanceStream::GetHelper(vtkAbstractMapper* m
     : nullptr;
 }
 
-bool vtkNBufferInstanceStream::MayBeDivided(vtkActor* actor)
+bool vtkNBufferInstanceStream::MayBeDivided(vtkActor* actor, bool isTranslucent)
 {
   vtkGlyph3DMapper* mapper = vtkNBufferGlyphs::GetMapper(actor->GetMapper());
   return mapper && !mapper->GetMasking() && !vtkNBufferSurface::HasOtherCoordinates(actor) &&
     vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), false) &&
     !vtkNBufferSurface::HasReplacedShaders(actor) &&
     !vtkNBufferSurface::HasOffsetTowardsEye(actor, false) &&
-    !actor->HasTranslucentPolygonalGeometry() && actor->HasOpaqueGeometry();
+    (actor->HasTranslucentPolygonalGeometry() != 0) == isTranslucent &&
+    (actor->HasOpaqueGeometry() != 0) != isTranslucent;
 }
 
 vtkIdType vtkNBufferInstanceStream::CountPolygons(vtkActor* actor)
 {
-  vtkMapper* mapper = actor->GetMapper();
-  const vtkIdType instances =
-    vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))->GetNumberOfPoints();
-  const vtkIdType cells =
-    vtkPolyData::SafeDownCast(mapper->GetInputDataObject(1, 0))->GetNumberOfPolys();
-  return cells > 0 && instances > VTK_INT_MAX / cells ? VTK_INT_MAX : instances * cells;
+  vtkGlyph3DMapper* mapper = vtkNBufferGlyphs::GetMapper(actor->GetMapper());
+  std::vector<double> polygons(1, 0.0); // Points without an instance have the number -1.
+  for (int source = 0; source < mapper->GetNumberOfInputConnections(1); ++source)
+  {
+    polygons.push_back(static_cast<double>(mapper->GetSource(source)->GetNumberOfPolys()));
+  }
+  const std::vector<int> sources = vtkNBufferGlyphs::GetSources(mapper);
+  const double sum = std::accumulate(sources.begin(), sources.end(), 0.0,
+    [&polygons](double before, int source) { return before + polygons[source + 1]; });
+  return static_cast<vtkIdType>(std::min<double>(sum, VTK_INT_MAX));
 }
 
 std::size_t vtkNBufferInstanceStream::GetUnitSize(std::size_t indices, std::size_t unitSize)
@@ -112,19 +120,88 @@ std::size_t vtkNBufferInstanceStream::GetUnitSize(std::size_t indices, std::size
   return std::clamp<std::size_t>(3 * unitSize / std::max<std::size_t>(indices, 1), 1, LargestUnit);
 }
 
-bool vtkNBufferInstanceStream::Read(
-  vtkActor* actor, vtkOpenGLGlyph3DHelper* mapper, vtkNBufferUnits::Mesh& boxes)
+void vtkNBufferInstanceStream::Clear()
+{
+  this->Batches.clear();
+  this->Magnitude = glm::dvec3(0.0);
+}
+
+vtkNBufferInstanceStream::Key vtkNBufferInstanceStream::GetKey(
+  vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
 {
   const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
-  this->Matrices = ReadBuffer<float>(buffers->Matrices);
-  const std::size_t size = this->Matrices.size() / MatrixSize;
-  this->Colors = ReadBuffer<unsigned char>(buffers->Colors, size * ColorSize);
-  this->NormalMatrices = ReadBuffer<float>(buffers->NormalMatrices, size * NormalMatrixSize);
-  auto* data = vtkDataSet::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   vtkPolyData* source = mapper->CurrentInput;
-  const bool isKnown = data && size > 0 && this->Colors.size() == size * ColorSize &&
-    static_cast<std::size_t>(data->GetNumberOfPoints()) == size &&
-    size < std::numeric_limits<unsigned int>::max() / 2 && source->GetNumberOfPoints() > 0;
+  const bool isKnown = buffers && source && stream &&
+    stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints;
+  return isKnown ? Key{ mapper, source->GetMTime(), buffers->BuildTime, stream->IBO->IndexCount }
+                 : Key{};
+}
+
+void vtkNBufferInstanceStream::ReadOrder(vtkGlyph3DMapper* mapper)
+{
+  const std::vector<int> sources = vtkNBufferGlyphs::GetSources(mapper);
+  std::vector<std::size_t> next(static_cast<std::size_t>(mapper->GetNumberOfInputConnections(1)));
+  for (const int source : sources)
+  {
+    next[std::max(source, 0)] += source >= 0;
+  }
+  this->Ends.resize(next.size());
+  std::partial_sum(next.begin(), next.end(), this->Ends.begin());
+  std::transform(this->Ends.begin(), this->Ends.end(), next.begin(), next.begin(), std::minus<>());
+  this->Numbers.resize(sources.size());
+  std::transform(sources.begin(), sources.end(), this->Numbers.begin(),
+    [&next](int source)
+    { return source < 0 ? NoInstance : static_cast<unsigned int>(next[source]++); });
+}
+
+std::size_t vtkNBufferInstanceStream::FindInstance(std::size_t point) const
+{
+  const bool isThere = point < this->Numbers.size() && this->Numbers[point] != NoInstance;
+  return isThere ? this->Numbers[point] : std::numeric_limits<std::size_t>::max();
+}
+
+const vtkNBufferInstanceStream::Batch* vtkNBufferInstanceStream::Find(const Key& key) const
+{
+  const auto found = std::find_if(this->Batches.begin(), this->Batches.end(),
+    [&key](const auto& batch) { return batch->Drawn == key; });
+  return found == this->Batches.end() ? nullptr : found->get();
+}
+
+bool vtkNBufferInstanceStream::IsAsRead(
+  vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream) const
+{
+  return this->Find(GetKey(mapper, stream)) != nullptr;
+}
+
+void vtkNBufferInstanceStream::Read(vtkActor* actor, vtkOpenGLGlyph3DHelper* mapper,
+  vtkOpenGLHelper* stream, vtkNBufferUnits::Mesh& boxes)
+{
+  vtkGlyph3DMapper* glyphs = vtkNBufferGlyphs::GetMapper(actor->GetMapper());
+  if (this->Batches.empty() && glyphs)
+  {
+    boxes.Corners = 2;
+    this->ReadOrder(glyphs);
+  }
+  this->Batches.push_back(std::make_unique<Batch>());
+  Batch& batch = *this->Batches.back();
+  batch.Drawn = GetKey(mapper, stream);
+  const bool isKnown = glyphs && batch.Drawn.Mapper && this->ReadBatch(mapper, batch, boxes);
+  boxes.Corners = isKnown ? boxes.Corners : 0;
+}
+
+bool vtkNBufferInstanceStream::ReadBatch(
+  vtkOpenGLGlyph3DHelper* mapper, Batch& batch, vtkNBufferUnits::Mesh& boxes)
+{
+  const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
+  batch.Matrices = ReadBuffer<float>(buffers->Matrices);
+  const std::size_t size = batch.Matrices.size() / MatrixSize;
+  batch.Colors = ReadBuffer<unsigned char>(buffers->Colors, size * ColorSize);
+  batch.NormalMatrices = ReadBuffer<float>(buffers->NormalMatrices, size * NormalMatrixSize);
+  vtkPolyData* source = mapper->CurrentInput;
+  const std::size_t first = boxes.Points.size() / 2;
+  const auto end = std::upper_bound(this->Ends.begin(), this->Ends.end(), first);
+  const bool isKnown = end != this->Ends.end() && first + size == *end &&
+    batch.Colors.size() == size * ColorSize && *end < NoInstance / 2;
   if (!isKnown)
   {
     return false;
@@ -150,22 +227,19 @@ bool vtkNBufferInstanceStream::Read(
    * second order. The second product adds the 8 u (sum_j |M_j| a_j + |M_3|) of
    * vtkNBufferBoxError.h. Both are less than 8 u (sum_j |M_j| 2 a_j + |M_3|): twice the magnitude.
    */
-  boxes.Corners = 2;
-  boxes.Points.resize(2 * size);
-  boxes.Indices.resize(2 * size);
-  this->Magnitude = glm::dvec3(0.0);
   for (std::size_t i = 0; i < size; ++i)
   {
-    const glm::dmat4 toActor(glm::make_mat4(&this->Matrices[i * MatrixSize]));
+    const glm::dmat4 toActor(glm::make_mat4(&batch.Matrices[i * MatrixSize]));
     vtkNBufferBox box;
     const glm::dvec3 magnitude = box.SetPlace(toActor, low, high);
-    boxes.Points[2 * i] = box.Center - box.HalfSize;
-    boxes.Points[2 * i + 1] = box.Center + box.HalfSize;
-    boxes.Indices[2 * i] = static_cast<unsigned int>(2 * i);
-    boxes.Indices[2 * i + 1] = static_cast<unsigned int>(2 * i + 1);
     if (!vtkNBufferGLM::IsFinite(magnitude))
     {
       return false;
+    }
+    for (const glm::dvec3& corner : { box.Center - box.HalfSize, box.Center + box.HalfSize })
+    {
+      boxes.Indices.push_back(static_cast<unsigned int>(boxes.Points.size()));
+      boxes.Points.push_back(corner);
     }
     this->Magnitude = glm::max(this->Magnitude, Products * magnitude);
   }
@@ -174,36 +248,52 @@ bool vtkNBufferInstanceStream::Read(
 
 void vtkNBufferInstanceStream::Upload(int list, const std::vector<unsigned int>& corners)
 {
-  List& target = this->Lists[list];
-  target.Size = corners.size() / 2;
-  UploadPart(target.Matrices, this->Matrices, MatrixSize, corners);
-  UploadPart(target.NormalMatrices, this->NormalMatrices, NormalMatrixSize, corners);
-  UploadPart(target.Colors, this->Colors, ColorSize, corners);
+  std::size_t first = 0;
+  auto begin = corners.begin();
+  for (const auto& batch : this->Batches)
+  {
+    const std::size_t end = first + batch->Matrices.size() / MatrixSize;
+    std::vector<std::size_t> part; // The places of the chosen instances in this batch.
+    for (; begin != corners.end() && *begin < 2 * end; begin += 2)
+    {
+      part.push_back(*begin / 2 - first);
+    }
+    first = end;
+    List& target = batch->Lists[list];
+    target.Size = part.size();
+    UploadPart(target.Matrices, batch->Matrices, MatrixSize, part);
+    UploadPart(target.NormalMatrices, batch->NormalMatrices, NormalMatrixSize, part);
+    UploadPart(target.Colors, batch->Colors, ColorSize, part);
+  }
 }
 
 bool vtkNBufferInstanceStream::Draw(
   int number, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
 {
-  const List& list = this->Lists[number];
+  const Batch* batch = this->Find(GetKey(mapper, stream));
   const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
-  const bool willAttach = buffers &&
-    (buffers->BuildTime > buffers->LoadTime ||
-      stream->ShaderSourceTime.GetMTime() > buffers->LoadTime);
-  if (!buffers || willAttach || list.Size == 0)
+  if (!batch || buffers->BuildTime > buffers->LoadTime ||
+    stream->ShaderSourceTime.GetMTime() > buffers->LoadTime)
   {
     return false;
   }
-  this->Attach(stream, list.Matrices, list.NormalMatrices, list.Colors);
-  stream->IBO->Bind();
-  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(stream->IBO->IndexCount),
-    GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(list.Size));
-  stream->IBO->Release();
-  this->Attach(stream, buffers->Matrices, buffers->NormalMatrices, buffers->Colors);
+  const List& list = batch->Lists[number];
+  if (list.Size > 0)
+  {
+    const bool withNormals = !batch->NormalMatrices.empty();
+    Attach(stream, withNormals, list.Matrices, list.NormalMatrices, list.Colors);
+    stream->IBO->Bind();
+    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(stream->IBO->IndexCount),
+      GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(list.Size));
+    stream->IBO->Release();
+    Attach(stream, withNormals, buffers->Matrices, buffers->NormalMatrices, buffers->Colors);
+  }
   return true;
 }
 
-void vtkNBufferInstanceStream::Attach(vtkOpenGLHelper* stream, vtkOpenGLBufferObject* matrices,
-  vtkOpenGLBufferObject* normalMatrices, vtkOpenGLBufferObject* colors)
+void vtkNBufferInstanceStream::Attach(vtkOpenGLHelper* stream, bool withNormals,
+  vtkOpenGLBufferObject* matrices, vtkOpenGLBufferObject* normalMatrices,
+  vtkOpenGLBufferObject* colors)
 {
   vtkShaderProgram* program = stream->Program;
   vtkOpenGLVertexArrayObject* array = stream->VAO;
@@ -211,7 +301,7 @@ void vtkNBufferInstanceStream::Attach(vtkOpenGLHelper* stream, vtkOpenGLBufferOb
   array->AddAttributeMatrixWithDivisor(program, matrices, "GCMCMatrix", 0,
     MatrixSize * sizeof(float), VTK_FLOAT, 4, false, 1, 4 * sizeof(float));
   matrices->Release();
-  if (!this->NormalMatrices.empty() && program->IsAttributeUsed("glyphNormalMatrix"))
+  if (withNormals && program->IsAttributeUsed("glyphNormalMatrix"))
   {
     normalMatrices->Bind();
     array->AddAttributeMatrixWithDivisor(program, normalMatrices, "glyphNormalMatrix", 0,
@@ -229,12 +319,15 @@ void vtkNBufferInstanceStream::Attach(vtkOpenGLHelper* stream, vtkOpenGLBufferOb
 
 void vtkNBufferInstanceStream::ReleaseGraphicsResources()
 {
-  for (List& list : this->Lists)
+  for (const auto& batch : this->Batches)
   {
-    list.Matrices->ReleaseGraphicsResources();
-    list.NormalMatrices->ReleaseGraphicsResources();
-    list.Colors->ReleaseGraphicsResources();
-    list.Size = 0;
+    for (List& list : batch->Lists)
+    {
+      list.Matrices->ReleaseGraphicsResources();
+      list.NormalMatrices->ReleaseGraphicsResources();
+      list.Colors->ReleaseGraphicsResources();
+      list.Size = 0;
+    }
   }
 }
 VTK_ABI_NAMESPACE_END

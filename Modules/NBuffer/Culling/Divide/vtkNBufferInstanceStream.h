@@ -4,9 +4,10 @@
  * @class vtkNBufferInstanceStream
  * @brief The instances of a vtkGlyph3DMapper: reads what VTK draws, and draws some of them.
  *
- * vtkOpenGLGlyph3DMapper draws all instances of a source by one call of vtkOpenGLGlyph3DHelper. A
- * matrix, a matrix of normals and a color for each instance are in buffers of that mapper. This
- * class reads the buffers, so that it need not know how VTK makes them.
+ * vtkOpenGLGlyph3DMapper draws all instances of a source by one call of a vtkOpenGLGlyph3DHelper,
+ * one source after the other. A matrix, a matrix of normals and a color for each instance are in
+ * buffers of that mapper. This class reads the buffers, so that it need not know how VTK makes
+ * them.
  *
  * VTK passes the number of instances to OpenGL itself, which cannot be changed. In the place of
  * VTK's draw (vtkNBufferOwnDraw), this class therefore attaches buffers with the chosen instances
@@ -14,12 +15,13 @@
  * order.
  *
  * Here, a unit of vtkNBufferUnits is a group of instances. The units are made from a mesh with two
- * points for each instance: two opposite corners of its box.
+ * points for each instance: two opposite corners of its box. Instances are numbered in the order in
+ * which they are drawn, those of the first source first.
  *
- * A mapper is not divided if it has several sources, a tree of sources, composite data, a mask, or
- * VTK's own culling of instances, or if its source does not consist of triangles alone. The
- * instances are read again if actor, mapper, data or source change. The copy in host memory takes
- * 104 bytes for each instance.
+ * A mapper is not divided if it has a tree of sources, composite data, a mask, or VTK's own culling
+ * of instances, or if a source does not consist of triangles alone. The instances are read again if
+ * actor, mapper, data or a source change. The copy in host memory takes 108 bytes for each
+ * instance.
  */
 #ifndef vtkNBufferInstanceStream_h
 #define vtkNBufferInstanceStream_h
@@ -33,11 +35,13 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkActor;
+class vtkGlyph3DMapper;
 class vtkOpenGLGlyph3DHelper;
 class vtkOpenGLHelper;
 
@@ -51,9 +55,9 @@ public:
   /// The mapper if it is the internal one that draws the instances, otherwise nullptr.
   static vtkOpenGLGlyph3DHelper* GetHelper(vtkAbstractMapper* mapper);
 
-  /// Whether the actor has a vtkGlyph3DMapper, and it is known what that draws: an opaque surface
-  /// in the actor's place and at its own depths, by one call.
-  static bool MayBeDivided(vtkActor* actor);
+  /// Whether the actor has a vtkGlyph3DMapper, and it is known what that draws: a surface, opaque
+  /// or translucent, in the actor's place and at its own depths, by one call for each source.
+  static bool MayBeDivided(vtkActor* actor, bool isTranslucent);
 
   /// The number of polygons in all instances of an actor that may be divided; at most VTK_INT_MAX.
   static vtkIdType CountPolygons(vtkActor* actor);
@@ -62,19 +66,30 @@ public:
   /// unit of a mesh has `unitSize` triangles.
   static std::size_t GetUnitSize(std::size_t indices, std::size_t unitSize);
 
-  /// Copy the instances that a mapper is about to draw, and make the mesh of their boxes. Returns
-  /// false if it is not known which of them the mapper draws.
-  bool Read(vtkActor* actor, vtkOpenGLGlyph3DHelper* mapper, vtkNBufferUnits::Mesh& boxes);
+  /// Forget all instances. The window's context must be current.
+  void Clear();
 
-  /// vtkNBufferBox::Magnitude of the boxes that were read last, in their coordinates.
+  /// Copy the instances of one source, which a mapper is about to draw from `stream`, and add their
+  /// boxes to the mesh. If it is not known which of them the mapper draws, the mesh gets and keeps
+  /// 0 corners. `stream` may be nullptr, because then it is not known.
+  void Read(vtkActor* actor, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream,
+    vtkNBufferUnits::Mesh& boxes);
+
+  /// The number of the instance at a point; the largest std::size_t if there is none.
+  std::size_t FindInstance(std::size_t point) const;
+
+  /// vtkNBufferBox::Magnitude of the boxes that were read since Clear(), in their coordinates.
   const glm::dvec3& GetMagnitude() const { return this->Magnitude; }
 
   /// Let list 0 or 1 consist of the instances whose corners have these indices in the mesh of
   /// boxes, in ascending order.
   void Upload(int list, const std::vector<unsigned int>& corners);
 
-  /// Draw a list in the place of `mapper`, for whose draw VTK has bound everything. Returns false,
-  /// and draws nothing, if the list is empty or if VTK has yet to attach its buffers.
+  /// Whether a mapper is about to draw what was read. `stream` may be nullptr.
+  bool IsAsRead(vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream) const;
+
+  /// Draw the part of a list that `mapper`, for whose draw VTK has bound everything, has of it.
+  /// Returns false, and draws nothing, if VTK has yet to attach its buffers.
   bool Draw(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
 
   void ReleaseGraphicsResources();
@@ -88,14 +103,43 @@ private:
     std::size_t Size = 0;
   };
 
-  void Attach(vtkOpenGLHelper* stream, vtkOpenGLBufferObject* matrices,
+  /// The mapper of a source, and when it uploaded what it draws. Two draws with equal keys draw the
+  /// same.
+  struct Key
+  {
+    const void* Mapper = nullptr; ///< Only compared, never dereferenced.
+    vtkMTimeType SourceTime = 0;
+    vtkMTimeType BuildTime = 0;
+    std::size_t IndexCount = 0;
+
+    bool operator==(const Key& other) const
+    {
+      return this->Mapper == other.Mapper && this->SourceTime == other.SourceTime &&
+        this->BuildTime == other.BuildTime && this->IndexCount == other.IndexCount;
+    }
+  };
+
+  /// The instances of one source.
+  struct Batch
+  {
+    Key Drawn;
+    std::vector<float> Matrices;       ///< 16 for each instance, column by column.
+    std::vector<float> NormalMatrices; ///< 9 for each instance, or none.
+    std::vector<unsigned char> Colors; ///< 4 for each instance.
+    std::array<List, 2> Lists;
+  };
+
+  static Key GetKey(vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
+  void ReadOrder(vtkGlyph3DMapper* mapper);
+  bool ReadBatch(vtkOpenGLGlyph3DHelper* mapper, Batch& batch, vtkNBufferUnits::Mesh& boxes);
+  const Batch* Find(const Key& key) const;
+  static void Attach(vtkOpenGLHelper* stream, bool withNormals, vtkOpenGLBufferObject* matrices,
     vtkOpenGLBufferObject* normalMatrices, vtkOpenGLBufferObject* colors);
 
-  std::vector<float> Matrices;       ///< 16 for each instance, column by column.
-  std::vector<float> NormalMatrices; ///< 9 for each instance, or none.
-  std::vector<unsigned char> Colors; ///< 4 for each instance.
+  std::vector<std::unique_ptr<Batch>> Batches; ///< In the order of drawing.
+  std::vector<unsigned int> Numbers;           ///< The number of the instance at each point.
+  std::vector<std::size_t> Ends; ///< For each source, the number of its last instance plus 1.
   glm::dvec3 Magnitude = glm::dvec3(0.0);
-  std::array<List, 2> Lists;
 };
 
 VTK_ABI_NAMESPACE_END
