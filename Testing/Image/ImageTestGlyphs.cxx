@@ -241,7 +241,8 @@ const LargeProps::Case GlyphCases[] = {
   { "CubesOfSeveralSources",
     [](Stage& stage)
     {
-      AddSources(AddGlyphs(stage, MakeLattice(), MakeCube(2.0)), { MakeCube(2.0), MakeCube(2.0) });
+      AddSources(
+        AddGlyphs(stage, MakeGlyphLattice(), MakeCube(2.0)), { MakeCube(2.0), MakeCube(2.0) });
       AddTallWalls(stage);
     } },
   { "SourcesWithoutPoints",
@@ -272,7 +273,7 @@ const LargeProps::Case GlyphCases[] = {
       AddTallWalls(stage);
       AddCubesAndSpheres(stage);
       MakeTranslucent(stage);
-      AddGlyphs(stage, MakeLattice(), MakeCube(0.5));
+      AddGlyphs(stage, MakeGlyphLattice(), MakeCube(0.5));
     } },
   { "TranslucentPeeled",
     [](Stage& stage)

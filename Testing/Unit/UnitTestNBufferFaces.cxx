@@ -15,29 +15,29 @@
 
 namespace
 {
-constexpr int Width = 320;
-constexpr int Height = 240;
-const std::array<double, 16> Identity = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+constexpr int FacesWidth = 320;
+constexpr int FacesHeight = 240;
+const std::array<double, 16> FacesToWorld = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
 
-using Triangle = std::array<glm::dvec3, 3>;
+using FaceTriangle = std::array<glm::dvec3, 3>;
 
-vtkNBufferMeshes::Placed MakeMesh(const std::vector<Triangle>& triangles)
+vtkNBufferMeshes::Placed MakeFacesMesh(const std::vector<FaceTriangle>& triangles)
 {
   auto mesh = std::make_shared<vtkNBufferMesh>();
-  for (const Triangle& triangle : triangles)
+  for (const FaceTriangle& triangle : triangles)
   {
     const auto first = static_cast<unsigned int>(mesh->Points.size());
     mesh->Points.insert(mesh->Points.end(), triangle.begin(), triangle.end());
     mesh->Triangles.push_back({ first, first + 1, first + 2 });
   }
-  return { mesh, Identity };
+  return { mesh, FacesToWorld };
 }
 
-vtkNBufferBox Bound(const std::vector<Triangle>& triangles)
+vtkNBufferBox BoundFaces(const std::vector<FaceTriangle>& triangles)
 {
   glm::dvec3 low = triangles.front().front();
   glm::dvec3 high = low;
-  for (const Triangle& triangle : triangles)
+  for (const FaceTriangle& triangle : triangles)
   {
     for (const glm::dvec3& corner : triangle)
     {
@@ -50,11 +50,11 @@ vtkNBufferBox Bound(const std::vector<Triangle>& triangles)
 }
 
 /// The faces of one prop.
-struct OneProp
+struct PropOfFaces
 {
-  explicit OneProp(const std::vector<Triangle>& triangles)
-    : Mesh(MakeMesh(triangles))
-    , Box(Bound(triangles))
+  explicit PropOfFaces(const std::vector<FaceTriangle>& triangles)
+    : Mesh(MakeFacesMesh(triangles))
+    , Box(BoundFaces(triangles))
   {
     this->Faces.Set(0, { this->Mesh }, this->Box, this->OfProps);
   }
@@ -74,16 +74,16 @@ struct OneProp
 };
 
 /// Both triangles of a parallelogram.
-void AddQuad(const glm::dvec3& corner, const glm::dvec3& one, const glm::dvec3& other,
-  std::vector<Triangle>& triangles)
+void AddFacesOfQuad(const glm::dvec3& corner, const glm::dvec3& one, const glm::dvec3& other,
+  std::vector<FaceTriangle>& triangles)
 {
   triangles.push_back({ { corner, corner + one, corner + one + other } });
   triangles.push_back({ { corner, corner + one + other, corner + other } });
 }
 
-std::vector<Triangle> MakeCuboid(const glm::dvec3& corner, const glm::dvec3& size)
+std::vector<FaceTriangle> MakeFacesOfCuboid(const glm::dvec3& corner, const glm::dvec3& size)
 {
-  std::vector<Triangle> triangles;
+  std::vector<FaceTriangle> triangles;
   for (int j = 0; j < 3; ++j)
   {
     glm::dvec3 across(0.0);
@@ -92,29 +92,29 @@ std::vector<Triangle> MakeCuboid(const glm::dvec3& corner, const glm::dvec3& siz
     across[j] = size[j];
     one[(j + 1) % 3] = size[(j + 1) % 3];
     other[(j + 2) % 3] = size[(j + 2) % 3];
-    AddQuad(corner, one, other, triangles);
-    AddQuad(corner + across, one, other, triangles);
+    AddFacesOfQuad(corner, one, other, triangles);
+    AddFacesOfQuad(corner + across, one, other, triangles);
   }
   return triangles;
 }
 
 /// An eye in the origin that looks along -z, 60 degrees high.
-vtkNBufferProjection MakeView()
+vtkNBufferProjection MakeViewOfFaces()
 {
-  const glm::dmat4 toClip =
-    glm::perspective(glm::radians(60.0), static_cast<double>(Width) / Height, 0.5, 10000.0);
+  const glm::dmat4 toClip = glm::perspective(
+    glm::radians(60.0), static_cast<double>(FacesWidth) / FacesHeight, 0.5, 10000.0);
   vtkNBufferProjection projection;
-  projection.Set(vtkNBufferGLM::ToRows(toClip).data(), Width, Height, 0x1p-24, 0, 8);
+  projection.Set(vtkNBufferGLM::ToRows(toClip).data(), FacesWidth, FacesHeight, 0x1p-24, 0, 8);
   return projection;
 }
 
 /// The height of the view at a distance of 1, in pixels.
-const double Focal = 0.5 * Height / std::tan(glm::radians(30.0));
+const double PixelsPerSlope = 0.5 * FacesHeight / std::tan(glm::radians(30.0));
 }
 
 TEST(NBufferFaces, TrianglesInOnePlaneAreAFace)
 {
-  const OneProp cuboid(MakeCuboid({ 1.0, 2.0, 3.0 }, { 3.0, 4.0, 12.0 }));
+  const PropOfFaces cuboid(MakeFacesOfCuboid({ 1.0, 2.0, 3.0 }, { 3.0, 4.0, 12.0 }));
   ASSERT_EQ(cuboid.Faces.GetPieces().size(), 1u);
   const vtkNBufferFaces::Piece& piece = cuboid.Faces.GetPieces().front();
   EXPECT_EQ(piece.Center, glm::dvec3(2.5, 4.0, 9.0));
@@ -133,9 +133,9 @@ TEST(NBufferFaces, TrianglesInOnePlaneAreAFace)
 // The lowest triangle of a face counts. One that no device draws does not.
 TEST(NBufferFaces, TheLowestTriangleOfAFace)
 {
-  const auto getHeight = [](const Triangle& other)
+  const auto getHeight = [](const FaceTriangle& other)
   {
-    const OneProp prop({ { { { 0, 0, 0 }, { 10, 0, 0 }, { 5, 5, 0 } } }, other });
+    const PropOfFaces prop({ { { { 0, 0, 0 }, { 10, 0, 0 }, { 5, 5, 0 } } }, other });
     EXPECT_EQ(prop.Faces.GetFaces().size(), 1u);
     return std::abs(prop.Faces.GetFaces().front().z);
   };
@@ -146,12 +146,12 @@ TEST(NBufferFaces, TheLowestTriangleOfAFace)
 
 TEST(NBufferFaces, LargeMeshesAreCutIntoPieces)
 {
-  std::vector<Triangle> triangles;
+  std::vector<FaceTriangle> triangles;
   for (int i = 0; i < 50; ++i)
   {
-    AddQuad({ i, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, triangles);
+    AddFacesOfQuad({ i, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, triangles);
   }
-  const OneProp prop(triangles);
+  const PropOfFaces prop(triangles);
   ASSERT_EQ(prop.Faces.GetPieces().size(), 4u);
   EXPECT_EQ(prop.Faces.GetFaces().size(), 4u);
   for (unsigned int i = 0; i < 4; ++i)
@@ -169,12 +169,12 @@ TEST(NBufferFaces, ChangedPropsLeaveNothingBehind)
 {
   vtkNBufferFaces faces;
   std::vector<vtkNBufferFaces::OfProp> ofProps(2);
-  const auto cuboid = MakeCuboid({ 0, 0, 0 }, { 1, 2, 3 });
-  faces.Set(1, { MakeMesh(cuboid) }, Bound(cuboid), ofProps);
-  const auto moved = MakeCuboid({ 5, 5, 5 }, { 1, 1, 1 });
+  const auto cuboid = MakeFacesOfCuboid({ 0, 0, 0 }, { 1, 2, 3 });
+  faces.Set(1, { MakeFacesMesh(cuboid) }, BoundFaces(cuboid), ofProps);
+  const auto moved = MakeFacesOfCuboid({ 5, 5, 5 }, { 1, 1, 1 });
   for (int i = 0; i < 10000; ++i)
   {
-    faces.Set(0, { MakeMesh(moved) }, Bound(moved), ofProps);
+    faces.Set(0, { MakeFacesMesh(moved) }, BoundFaces(moved), ofProps);
   }
   EXPECT_LT(faces.GetPieces().size(), 1100u);
   EXPECT_LT(faces.GetFaces().size(), 6600u);
@@ -189,15 +189,15 @@ TEST(NBufferFaces, ChangedPropsLeaveNothingBehind)
 // Here it lies between two rows of pixels' middles or on one of them.
 TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
 {
-  const vtkNBufferProjection view = MakeView();
+  const vtkNBufferProjection view = MakeViewOfFaces();
   const auto isInFront = [&](double row, double slope)
   {
-    const double y = -1000.0 * (row + 0.5 - 0.5 * Height) / Focal;
-    std::vector<Triangle> triangles;
+    const double y = -1000.0 * (row + 0.5 - 0.5 * FacesHeight) / PixelsPerSlope;
+    std::vector<FaceTriangle> triangles;
     // Over the way from 1000 to 1010, the plane rises towards the eye or away from it.
-    AddQuad({ -5.0, -y, -1000.0 }, { 10.0, 0.0, 0.0 }, { 0.0, (-y / 1000.0 + slope) * 10.0, -10.0 },
-      triangles);
-    return OneProp(triangles).MayBeInFront(view, 0.1);
+    AddFacesOfQuad({ -5.0, -y, -1000.0 }, { 10.0, 0.0, 0.0 },
+      { 0.0, (-y / 1000.0 + slope) * 10.0, -10.0 }, triangles);
+    return PropOfFaces(triangles).MayBeInFront(view, 0.1);
   };
   EXPECT_TRUE(isInFront(150.0, 1e-7));
   EXPECT_TRUE(isInFront(80.0, -1e-7));
@@ -210,18 +210,18 @@ TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
 // The clearance says how steep a triangle may be.
 TEST(NBufferFaceTest, ClearanceAllowsForSlopes)
 {
-  const vtkNBufferProjection view = MakeView();
-  std::vector<Triangle> triangles;
+  const vtkNBufferProjection view = MakeViewOfFaces();
+  std::vector<FaceTriangle> triangles;
   // A ground 2 below the eye. It is 1.4 pixels high on the screen.
-  AddQuad({ -5.0, -2.0, -60.0 }, { 10.0, 0.0, 0.0 }, { 0.0, 0.0, -12.0 }, triangles);
-  const OneProp near(triangles);
+  AddFacesOfQuad({ -5.0, -2.0, -60.0 }, { 10.0, 0.0, 0.0 }, { 0.0, 0.0, -12.0 }, triangles);
+  const PropOfFaces near(triangles);
   EXPECT_FALSE(near.MayBeInFront(view, 0.0));
   // 0.01 pixels high, across a row of middles.
   const double distance = 1000.0;
-  const double y = -31.5 * distance / Focal;
-  AddQuad({ -5.0, y, -distance }, { 10.0, 0.0, 0.0 }, { 0.0, (y / distance) * 10.0 + 0.02, -10.0 },
-    triangles);
-  const OneProp far({ triangles[2], triangles[3] });
+  const double y = -31.5 * distance / PixelsPerSlope;
+  AddFacesOfQuad({ -5.0, y, -distance }, { 10.0, 0.0, 0.0 },
+    { 0.0, (y / distance) * 10.0 + 0.02, -10.0 }, triangles);
+  const PropOfFaces far({ triangles[2], triangles[3] });
   EXPECT_TRUE(far.MayBeInFront(view, 0.0));
   EXPECT_FALSE(far.MayBeInFront(view, 0.01));
 }
@@ -230,7 +230,7 @@ TEST(NBufferFaceTest, ClearanceAllowsForSlopes)
 // vtkNBufferSliverTest is never stricter. Nor does the test keep what is not nearly edge-on.
 TEST(NBufferFaceTest, NeverRulesOutWhatTheSliverTestKeeps)
 {
-  const vtkNBufferProjection view = MakeView();
+  const vtkNBufferProjection view = MakeViewOfFaces();
   std::mt19937 random(1);
   const auto uniform = [&](double low, double high)
   { return std::uniform_real_distribution<double>(low, high)(random); };
@@ -242,9 +242,10 @@ TEST(NBufferFaceTest, NeverRulesOutWhatTheSliverTestKeeps)
     // In a plane that passes the eye at a small distance, or holds it.
     const double distance = std::exp(uniform(std::log(2.0), std::log(5000.0)));
     // Seen in the middle of a pixel, or hardly beside it.
-    const glm::dvec2 pixel(std::floor(uniform(20.0, Width - 20.0)) + uniform(-0.003, 0.003),
-      std::floor(uniform(20.0, Height - 20.0)) + uniform(-0.003, 0.003));
-    const glm::dvec2 place = (pixel + 0.5 - 0.5 * glm::dvec2(Width, Height)) / Focal;
+    const glm::dvec2 pixel(std::floor(uniform(20.0, FacesWidth - 20.0)) + uniform(-0.003, 0.003),
+      std::floor(uniform(20.0, FacesHeight - 20.0)) + uniform(-0.003, 0.003));
+    const glm::dvec2 place =
+      (pixel + 0.5 - 0.5 * glm::dvec2(FacesWidth, FacesHeight)) / PixelsPerSlope;
     const glm::dvec3 center = distance * glm::dvec3(place, -1.0);
     const double turn = n % 3 == 0 ? 0.0 : n % 3 == 1 ? 0.5 * glm::pi<double>() : uniform(0.0, 3.2);
     const glm::dvec3 across =
@@ -254,14 +255,14 @@ TEST(NBufferFaceTest, NeverRulesOutWhatTheSliverTestKeeps)
     const glm::dvec3 side = glm::normalize(glm::cross(along, across));
     const double size = distance * std::pow(10.0, uniform(-3.0, -1.0));
     const double thin = std::pow(10.0, uniform(-4.0, 0.0));
-    Triangle triangle;
+    FaceTriangle triangle;
     for (glm::dvec3& corner : triangle)
     {
       corner = center + size * (uniform(-1.0, 1.0) * along + thin * uniform(-1.0, 1.0) * side);
       // A device gets floats.
       corner = glm::vec3(corner);
     }
-    const OneProp prop({ triangle });
+    const PropOfFaces prop({ triangle });
     vtkNBufferScreenBox screen;
     if (view.Project(prop.Box, screen) != vtkNBufferPlacement::Inside || screen.Middles.IsEmpty())
     {
@@ -270,12 +271,12 @@ TEST(NBufferFaceTest, NeverRulesOutWhatTheSliverTestKeeps)
     // The sliver test adds up the errors of the depths of three corners, which are less than this.
     const double ofCorners = 2.0 * screen.Slack.z;
     const double clearance = std::pow(10.0, uniform(-7.0, -1.0));
-    const std::vector<float> depth(static_cast<std::size_t>(Width) * Height,
+    const std::vector<float> depth(static_cast<std::size_t>(FacesWidth) * FacesHeight,
       static_cast<float>(screen.Nearest - clearance - ofCorners));
     vtkNBufferLevels levels;
-    levels.BuildBase(depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+    levels.BuildBase(depth.data(), FacesWidth, FacesHeight, 4, vtkNBufferExtremum::Maximum);
     const bool isSeen = vtkNBufferSliverTest(view, levels, depth.data(), 0.0)
-                          .MayBeSeen(*prop.Mesh.Mesh, 0, 1, Identity.data(), prop.Box, screen);
+                          .MayBeSeen(*prop.Mesh.Mesh, 0, 1, FacesToWorld.data(), prop.Box, screen);
     const bool isKept = prop.MayBeInFront(view, clearance);
     seen += isSeen ? 1 : 0;
     kept += isKept ? 1 : 0;
