@@ -471,7 +471,7 @@ TEST(CullerGlyphsSources, EachMayChange)
       AddCubesAndSpheres(stage);
       AddTallWalls(stage);
     },
-    MakeOptions());
+    MakeGlyphOptions());
   for (int source = 0; source < 3; ++source)
   {
     LargeProps::CompareChange(
@@ -498,7 +498,7 @@ TEST(CullerGlyphsTranslucent, HiddenAsAWhole)
       Scenes::AddBox(stage, 0.0, -35.0, 0.0, 200.0, 0.3, 200.0);
       Scenes::AddBox(stage, 0.0, 40.0, 0.0, 1.0, 1.0, 1.0);
     },
-    MakeOptions());
+    MakeGlyphOptions());
   for (int i = 0; i < 9; ++i)
   {
     comparison.Frame(
@@ -535,7 +535,7 @@ TEST(CullerGlyphsPicking, SamePoints)
 
 TEST(CullerGlyphsPicking, SamePointsOfSeveralSources)
 {
-  Comparison comparison(AddCubesAndSpheres, MakeOptions());
+  Comparison comparison(AddCubesAndSpheres, MakeGlyphOptions());
   LargeProps::ComparePicks(comparison, WalkFromOutside);
 }
 

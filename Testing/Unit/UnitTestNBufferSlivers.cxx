@@ -122,7 +122,7 @@ TEST_F(Slivers, BesideAllSamples)
 TEST_F(Slivers, SnappedToTheGrid)
 {
   this->SetWall(1.0f);
-  this->Projection = MapWorldToPixels(Width, Height, 8);
+  this->Projection = MapWorldToPixels(SliversWidth, SliversHeight, 8);
   const double step = 1.0 / 256;
   for (const double y : { 20.5, 20.5 + 0.4 * step, 20.5 - 0.4 * step, 20.5 - 0.6 * step })
   {

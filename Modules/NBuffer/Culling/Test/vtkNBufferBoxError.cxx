@@ -67,12 +67,13 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
   return errors;
 }
 
-glm::dvec2 vtkNBufferBoxError::TriangleErrors::GetPlaceError(const glm::dvec2& ofPlace, double ofW,
+glm::dvec2 vtkNBufferTriangleErrors::GetPlaceError(const glm::dvec2& ofPlace, double ofW,
   double inverseW, const glm::dvec2& aside, const glm::dvec2& half) const
 {
   // The largest window coordinates that the corner of the viewport may have.
   const glm::dvec2 origin = this->LargestCoordinate - 2.0 * half;
   return (ofPlace + aside * ofW) * inverseW +
-    UnitRoundoff * (DivisionErrors * aside + AdditionErrors * (origin + half + aside));
+    vtkNBufferBoxError::UnitRoundoff *
+    (DivisionErrors * aside + AdditionErrors * (origin + half + aside));
 }
 VTK_ABI_NAMESPACE_END

@@ -73,7 +73,7 @@ struct vtkNBufferFaceTest::View
   glm::dvec2 Error;  ///< E'
   double Tolerance;  ///< How far a corner may be from the plane of its face.
   double Stretch;    ///< k / w_min
-  double Lowest;     ///< How high a triangle must be, but for the errors of its corners.
+  double Lowest;     ///< How high a triangle must be, without the errors of its corners.
   glm::dvec4 Eye;    ///< (e, g) relative to the center of the box.
   double OfFaces;    ///< How much too large the product of a face and the eye may be.
 };

@@ -64,7 +64,7 @@ private:
 
   const vtkNBufferProjection& Projection;
   vtkNBufferBoxError::TriangleErrors Errors;
-  double Distance; ///< How far a sample that a corner owns may be from it, but for errors.
+  double Distance; ///< How far a sample that a snapped corner owns may be from the corner.
   glm::dvec2 Half; ///< Half the size of the view, in pixels.
   ///@{
   /// Takes a point to x, y, z and w, with x and y in pixels, and the same with absolute values.
