@@ -219,7 +219,7 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
   EXPECT_FALSE(meshes.FindSmall(this->Actor, true, kept)) << "too many triangles";
 
   std::vector<vtkSmartPointer<vtkActor>> actors;
-  std::vector<vtkNBufferMeshes::OfProp> keptOfActors(20);
+  std::vector<vtkNBufferMeshes::OfProp> keptOfActors(150);
   const auto countCopies = [&]
   {
     meshes.BeginFrame(none);
@@ -230,16 +230,16 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
     }
     return count;
   };
-  for (int i = 0; i < 20; ++i)
+  for (int i = 0; i < 150; ++i)
   {
     vtkNew<vtkOpenGLPolyDataMapper> mapper;
     mapper->SetInputData(RunSphereSource());
     actors.push_back(vtkSmartPointer<vtkActor>::New());
     actors.back()->SetMapper(mapper);
   }
-  EXPECT_EQ(countCopies(), 8);
-  EXPECT_EQ(countCopies(), 16);
-  EXPECT_EQ(countCopies(), 20);
+  EXPECT_EQ(countCopies(), 64);
+  EXPECT_EQ(countCopies(), 128);
+  EXPECT_EQ(countCopies(), 150);
 }
 
 // Hazard: large meshes are read again in each frame, or meshes are kept for ever.

@@ -68,15 +68,16 @@ public:
   /**
    * Set `kept.Small` to the triangles of an actor whose data is a polydata with at most
    * MaximumNumberOfPolygons polygons and without strips. Returns whether they are known now.
-   * Copying them may take a tenth of a millisecond, because polygons have to be triangulated. They
-   * are therefore copied only if `mayCopy` is true, and for at most CopiesPerFrame actors in a
-   * frame. As for Get(), `kept` must be replaced by an empty one if the actor or its data changes.
+   * Copying them takes about 10 microseconds, because polygons have to be triangulated, and much
+   * more where VTK wakes threads for that (vtkNBufferForEachProp::RunInOneThread). They are copied
+   * only if `mayCopy` is true, and for at most CopiesPerFrame actors in a frame. As for Get(),
+   * `kept` must be replaced by an empty one if the actor or its data changes.
    */
   bool FindSmall(vtkActor* actor, bool mayCopy, OfProp& kept);
 
 private:
   static constexpr vtkIdType MaximumNumberOfPolygons = 256;
-  static constexpr int CopiesPerFrame = 8;
+  static constexpr int CopiesPerFrame = 64;
 
   struct Entry
   {

@@ -109,6 +109,14 @@ public:
   /// test found visible.
   bool MayBeSeen(int i, vtkNBufferPixelTest& test);
 
+  /// Whether MayBeSeen() copies the triangles of candidate i, unless it has copied enough.
+  bool HasToCopy(int i) const
+  {
+    const vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
+    return this->States[i].WasVisible && this->States[i].Placement == vtkNBufferPlacement::Inside &&
+      !(this->GetBox(i).Margin > 0.0) && !meshes.Small && !meshes.IsTooLarge;
+  }
+
   int GetSize() const { return static_cast<int>(this->Candidates.GetSize()); }
   vtkProp* GetProp(int i) const { return this->Candidates.GetProp(i); }
   const vtkNBufferCandidate& GetCandidate(int i) const { return this->Candidates[i]; }

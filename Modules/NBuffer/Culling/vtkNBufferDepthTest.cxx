@@ -335,8 +335,11 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     if (this->Settings.TestTriangles)
     {
       const std::size_t seen = places.size();
-      vtkNBufferForEachProp::RunInOneThread(
-        [&]() { RemoveIf(places, [&](int i) { return !this->Props.MayBeSeen(i, pixelTest); }); });
+      const auto removeHidden = [&]()
+      { RemoveIf(places, [&](int i) { return !this->Props.MayBeSeen(i, pixelTest); }); };
+      const bool copies = std::any_of(
+        places.begin(), places.end(), [this](int i) { return this->Props.HasToCopy(i); });
+      copies ? vtkNBufferForEachProp::RunInOneThread(removeHidden) : removeHidden();
       this->Statistics.HiddenByTriangles += static_cast<int>(seen - places.size());
     }
     this->Statistics.Lookups += pixelTest.GetLookups();
