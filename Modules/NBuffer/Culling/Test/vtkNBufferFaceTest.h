@@ -32,7 +32,17 @@
  *
  * What hides the box is usually much nearer than the box. This clearance (vtkNBufferState) is added
  * to the slack. With it only triangles remain that are hardly higher than the errors of their
- * vertices: in a city, walls seen edge-on, and ground plans several kilometres away.
+ * corners.
+ *
+ * A face that fails this is examined more closely. On the screen its plane is almost a line. Let m
+ * be the unit vector across this line.
+ *
+ *  - Not |E'| counts but its part along m, |m_x| E'_x + |m_y| E'_y: errors along the line do not
+ *    change the height. (Corners differ a little along m, too. This is the `drift` of the source.)
+ *  - The line has to come near the middle of a pixel, since only there are samples. Most ground
+ *    plans of a city, which are the faces seen edge-on, lie between two rows of middles.
+ *
+ * A device cuts what is not wholly in view, so that nothing is known of its triangles.
  */
 #ifndef vtkNBufferFaceTest_h
 #define vtkNBufferFaceTest_h

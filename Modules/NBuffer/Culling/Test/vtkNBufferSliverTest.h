@@ -10,6 +10,7 @@
  * llvmpipe) extrapolates along a slope that grows without bound. VTK without a culler then shows a
  * stray pixel through the wall in front. Every curved surface has slivers along its outline. To
  * keep their stray pixels, this test looks at each triangle of a mesh whose box was found hidden.
+ * (vtkNBufferFaceTest comes first, and rules out most meshes as a whole.)
  *
  * On the screen, let L be the longest side of a triangle, h its height over this side less the
  * error of its vertices, R its depth range, and r the difference in depth between its third corner
@@ -32,8 +33,12 @@
  * may own, and the nearest depth that each of them may have:
  *
  *  - A device draws the samples that lie in the snapped triangle. Its corners differ from the exact
- *    ones, in x and in y, by at most 1/512 pixel plus the errors of vertices. A sample may lie in
- *    such a triangle only if the three areas that it spans with the sides may have the same sign.
+ *    ones, in x and in y, by at most 1/512 pixel plus the errors of vertices. If the device says
+ *    that it has 8 subpixel bits, and the box is wholly in view, so that no triangle is cut, a corner
+ *    is at the nearest point of a grid of 1/256 pixel; its errors leave open which one only near the
+ *    middle between two. A sample may lie in such a triangle only if it lies in the rectangle around
+ *    the corners and the three areas that it spans with the sides may have the same sign. A triangle
+ *    whose corners are known to be snapped to one line owns none.
  *  - The depth is that of the plane of the vertices before they were snapped. With d the distance
  *    of the sample from the longest side, positive towards the third corner, it is the depth of
  *    that side there plus d / h times r, less the errors above. The errors of vertices are also

@@ -87,7 +87,7 @@ def configure(target, **settings):
     """Change settings of a culler or a shadow pass.
 
     The names are those of the C++ setters and of the tuning in lower case, such as
-    ``test_slivers=True`` or ``round_size=16``; ``get_settings()`` lists them. If a name or a
+    ``test_slivers=False`` or ``round_size=16``; ``get_settings()`` lists them. If a name or a
     value is wrong, TypeError or ValueError is raised, and no setting is changed.
     """
     properties = _properties(target)
