@@ -349,9 +349,9 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   mesh.Triangles = { { 0, 1, 2 } };
   const vtkNBufferMeshes::Placed placed = { std::make_shared<vtkNBufferMesh>(mesh),
     { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
-  std::vector<vtkNBufferFaces::OfProp> ofProps(1);
+  vtkNBufferFaces::OfProp ofProp;
   vtkNBufferFaces faces;
-  faces.Set(0, { placed }, box, ofProps);
+  faces.Set(ofProp, { placed }, box);
   return vtkNBufferFaceTest(projection, 0.0)
            .MayBeInFront(faces, faces.GetPieces().front(), screen.Nearest - z) &&
     vtkNBufferSliverTest(projection, levels, depth.data(), 0.0)

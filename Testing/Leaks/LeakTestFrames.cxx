@@ -100,8 +100,6 @@ private:
     {
       this->Culler->SetBackend(frame / 25 % 2 ? vtkNBufferCuller::OpenGL : vtkNBufferCuller::CPU);
       Tune(this->Culler, &vtkNBufferTuning::BaseFactor, 1 << frame / 25 % 4);
-      // Not TestSlivers: it keeps meshes of replaced props for some 256 frames, and how many at a
-      // time depends on which addresses the heap gives out again.
       Tune(this->Culler, &vtkNBufferTuning::TestPixels, frame / 25 % 3 > 0);
       this->Culler->SetEnabled(frame != 175);
     }

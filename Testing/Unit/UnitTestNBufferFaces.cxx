@@ -56,7 +56,7 @@ struct PropOfFaces
     : Mesh(MakeFacesMesh(triangles))
     , Box(BoundFaces(triangles))
   {
-    this->Faces.Set(0, { this->Mesh }, this->Box, this->OfProps);
+    this->Faces.Set(this->OfProps[0], { this->Mesh }, this->Box);
   }
 
   bool MayBeInFront(const vtkNBufferProjection& projection, double clearance) const
@@ -170,14 +170,17 @@ TEST(NBufferFaces, ChangedPropsLeaveNothingBehind)
   vtkNBufferFaces faces;
   std::vector<vtkNBufferFaces::OfProp> ofProps(2);
   const auto cuboid = MakeFacesOfCuboid({ 0, 0, 0 }, { 1, 2, 3 });
-  faces.Set(1, { MakeFacesMesh(cuboid) }, BoundFaces(cuboid), ofProps);
+  faces.Set(ofProps[1], { MakeFacesMesh(cuboid) }, BoundFaces(cuboid));
   const auto moved = MakeFacesOfCuboid({ 5, 5, 5 }, { 1, 1, 1 });
   for (int i = 0; i < 10000; ++i)
   {
-    faces.Set(0, { MakeFacesMesh(moved) }, BoundFaces(moved), ofProps);
+    faces.Set(ofProps[0], { MakeFacesMesh(moved) }, BoundFaces(moved));
+    faces.ReleaseUnused(ofProps, 1.0);
   }
-  EXPECT_LT(faces.GetPieces().size(), 1100u);
-  EXPECT_LT(faces.GetFaces().size(), 6600u);
+  EXPECT_LE(faces.GetPieces().size(), 4u);
+  faces.ReleaseUnused(ofProps, 0.0);
+  EXPECT_EQ(faces.GetPieces().size(), 2u);
+  EXPECT_EQ(faces.GetFaces().size(), 12u);
   ASSERT_EQ(ofProps[1].End - ofProps[1].Begin, 1u);
   const vtkNBufferFaces::Piece& piece = faces.GetPieces()[ofProps[1].Begin];
   EXPECT_EQ(piece.Center, glm::dvec3(0.5, 1.0, 1.5));

@@ -28,6 +28,11 @@ void vtkNBufferMeshes::BeginFrame(std::vector<OfProp>& kept)
       one = {};
     }
   }
+  this->ReleaseUnused();
+}
+
+void vtkNBufferMeshes::ReleaseUnused()
+{
   for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
   {
     entry = entry->second.Mesh.expired() ? this->Entries.erase(entry) : std::next(entry);

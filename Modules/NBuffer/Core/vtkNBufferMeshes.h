@@ -57,6 +57,9 @@ public:
   /// for more than 256 frames.
   void BeginFrame(std::vector<OfProp>& kept);
 
+  /// Forget the polydata whose meshes have been released.
+  void ReleaseUnused();
+
   /**
    * The meshes of an actor whose pipeline is up to date. The result is empty for other props, for
    * actors with `limit` polygons and strips or more, and for data from which vtkDataSetMapper

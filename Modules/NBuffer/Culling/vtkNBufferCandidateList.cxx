@@ -28,6 +28,8 @@ bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
     return false;
   }
   this->Screens.resize(static_cast<std::size_t>(count));
+  this->Meshes.ReleaseUnused();
+  this->Faces.ReleaseUnused(this->FacesOfProps, 0.0);
   this->Tree.ListHasChanged();
   this->ListChanged = true;
   ++this->ListNumber;
@@ -334,7 +336,7 @@ void vtkNBufferCandidateList::ReadTriangles(int i, int limit)
     this->Meshes.Get(this->GetProp(i), limit, kept);
   if (!this->FacesOfProps[i].AreKnown)
   {
-    this->Faces.Set(i, meshes, this->GetBox(i), this->FacesOfProps);
+    this->Faces.Set(this->FacesOfProps[i], meshes, this->GetBox(i));
     this->FacesOfProps[i].AreKnown = kept.Limit == limit;
   }
 }

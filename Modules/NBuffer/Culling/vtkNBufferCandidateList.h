@@ -92,6 +92,9 @@ public:
   /// Read the triangles and faces of prop i; none if it has `limit` polygons or more.
   void ReadTriangles(int i, int limit);
 
+  /// Release what was read of props that have changed since. To be called after ReadTriangles().
+  void ReleaseUnusedFaces() { this->Faces.ReleaseUnused(this->FacesOfProps, 0.125); }
+
   ///@{
   /// What ReadTriangles() has read. The triangles are released if they are not read for some time,
   /// and then empty. The faces of composite data are never known, because blocks may change without

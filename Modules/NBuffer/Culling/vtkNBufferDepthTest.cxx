@@ -284,6 +284,7 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
           }
         }
       });
+    this->Props.ReleaseUnusedFaces();
   }
   std::vector<int> visible;
   for (std::size_t n = 0; n < tested.size(); ++n)

@@ -18,10 +18,25 @@ glm::vec3 RoundUp(const glm::dvec3& x)
 }
 }
 
-void vtkNBufferFaces::RemoveUnused(std::vector<OfProp>& ofProps)
+void vtkNBufferFaces::ReleaseUnused(std::vector<OfProp>& ofProps, double share)
 {
+  std::size_t used = 0;
+  std::size_t usedFaces = 0;
+  for (const OfProp& ofProp : ofProps)
+  {
+    used += ofProp.End - ofProp.Begin;
+    usedFaces += ofProp.Begin < ofProp.End
+      ? this->Pieces[ofProp.End - 1].End - this->Pieces[ofProp.Begin].Begin
+      : 0;
+  }
+  if (static_cast<double>(this->Pieces.size() - used) <= share * static_cast<double>(used))
+  {
+    return;
+  }
   std::vector<Piece> pieces;
   std::vector<Face> faces;
+  pieces.reserve(used);
+  faces.reserve(usedFaces);
   for (OfProp& ofProp : ofProps)
   {
     const auto begin = static_cast<unsigned int>(pieces.size());
@@ -41,16 +56,9 @@ void vtkNBufferFaces::RemoveUnused(std::vector<OfProp>& ofProps)
   this->Items.swap(faces);
 }
 
-void vtkNBufferFaces::Set(std::size_t prop, const std::vector<vtkNBufferMeshes::Placed>& meshes,
-  const vtkNBufferBox& box, std::vector<OfProp>& ofProps)
+void vtkNBufferFaces::Set(
+  OfProp& ofProp, const std::vector<vtkNBufferMeshes::Placed>& meshes, const vtkNBufferBox& box)
 {
-  OfProp& ofProp = ofProps[prop];
-  ofProp = {};
-  if (this->Pieces.size() > this->Limit)
-  {
-    this->RemoveUnused(ofProps);
-    this->Limit = std::max(this->Limit, 2 * this->Pieces.size());
-  }
   ofProp.Begin = static_cast<unsigned int>(this->Pieces.size());
   std::vector<Corners> triangles;
   for (std::size_t number = 0; number < meshes.size(); ++number)

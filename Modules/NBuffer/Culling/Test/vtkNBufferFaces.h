@@ -70,24 +70,25 @@ public:
     bool AreKnown = false; ///< Whether these are the pieces of the prop as it is.
   };
 
-  /// Set the pieces of one of the props to those of its meshes. `box` is the box of the prop.
-  /// `ofProps` are those of all props: when half of the memory is used by none of them, it is
-  /// released. Takes about 30 ns per triangle.
-  void Set(std::size_t prop, const std::vector<vtkNBufferMeshes::Placed>& meshes,
-    const vtkNBufferBox& box, std::vector<OfProp>& ofProps);
+  /// Set the pieces of a prop to those of its meshes. `box` is the box of the prop. Takes about 30
+  /// ns per triangle.
+  void Set(
+    OfProp& ofProp, const std::vector<vtkNBufferMeshes::Placed>& meshes, const vtkNBufferBox& box);
+
+  /// Release the memory of pieces that no prop has any more, if they are more than `share` of those
+  /// that some prop has. `ofProps` are all props. Moves all pieces.
+  void ReleaseUnused(std::vector<OfProp>& ofProps, double share);
 
   const std::vector<Piece>& GetPieces() const { return this->Pieces; }
   const std::vector<Face>& GetFaces() const { return this->Items; }
 
 private:
-  void RemoveUnused(std::vector<OfProp>& ofProps);
   /// Add the faces of a sequence of triangles, whose corners are relative to `origin`.
   using Corners = std::array<glm::dvec3, 3>;
   void Add(const std::vector<Corners>& triangles, const glm::dvec3& origin);
 
   std::vector<Piece> Pieces;
   std::vector<Face> Items;
-  std::size_t Limit = 1024; ///< RemoveUnused() is called when there are more pieces.
 };
 
 VTK_ABI_NAMESPACE_END
