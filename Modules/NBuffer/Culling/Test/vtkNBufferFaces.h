@@ -83,7 +83,7 @@ public:
   const std::vector<Face>& GetFaces() const { return this->Items; }
 
 private:
-  /// Add the faces of a sequence of triangles, whose corners are relative to `origin`.
+  /// Add the faces of a sequence of triangles. The planes are relative to `origin`.
   using Corners = std::array<glm::dvec3, 3>;
   void Add(const std::vector<Corners>& triangles, const glm::dvec3& origin);
 
