@@ -4,6 +4,7 @@
 #include "CullerTest.h"
 #include "Scenes.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkMapper.h"
 #include "vtkPoints.h"
@@ -39,6 +40,15 @@ void BuildNotch(Stage& stage)
 vtkPolyData* GetTriangle(Stage& stage)
 {
   return vtkPolyData::SafeDownCast(stage.GetActor(2)->GetMapper()->GetInput());
+}
+
+/// The same with a filter in front of the mapper of the triangle.
+void BuildFilteredNotch(Stage& stage)
+{
+  BuildNotch(stage);
+  vtkNew<vtkAppendPolyData> filter;
+  filter->SetInputData(GetTriangle(stage));
+  stage.GetActor(2)->GetMapper()->SetInputConnection(filter->GetOutputPort());
 }
 
 struct TriangleChange : NamedCase
@@ -96,6 +106,23 @@ TEST_P(CullerTriangles, BehindTheEdgeOfAWall)
   comparison.Frame("changed", this->GetParam().Apply);
   EXPECT_NE(comparison.GetVerdict(2), Verdict::Hidden);
   EXPECT_EQ(comparison.GetStatistics().HiddenByTriangles, 0);
+}
+
+// Hazard: the triangles of a prop with a pipeline are forgotten in every frame, so that the prop is
+// hidden in every second frame of a view that stands still.
+TEST(CullerTrianglesOfAFilter, StayHidden)
+{
+  ComparisonOptions options = Scenes::MakeExactOptions(TrianglesWidth, TrianglesHeight, 4);
+  options.Backend = vtkNBufferCuller::CPU;
+  Comparison comparison(BuildFilteredNotch, options);
+  for (int i = 0; i < 8; ++i)
+  {
+    comparison.Frame("unchanged");
+    if (comparison.GetCuller() && i > 4)
+    {
+      EXPECT_EQ(comparison.GetVerdict(2), Verdict::Hidden) << i;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerTriangles, testing::ValuesIn(TriangleChanges), GetCaseName);

@@ -142,12 +142,12 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
     if (candidate.Refresh(globalStateChanged))
     {
       this->Changed.push_back(i);
+      this->MeshesOfProps[i] = {};
+      this->FacesOfProps[i] = {};
     }
     this->UsesChanged = this->UsesChanged || !(uses == candidate.GetUses());
     this->States[i].Observed = false;
     this->States[i].OwnVerdict = candidate.GetVerdict();
-    this->MeshesOfProps[i] = {};
-    this->FacesOfProps[i] = {};
     if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
     {
       this->Tree.HasChanged(i);

@@ -151,17 +151,21 @@ std::vector<int> vtkNBufferPartition::GetNotDrawn() const
   return places;
 }
 
-int vtkNBufferPartition::SetVisibleKept(const std::vector<int>& visible)
+int vtkNBufferPartition::TakeVisibleKept(std::vector<int>& visible)
 {
   for (int i : this->Kept)
   {
     this->Props.GetState(i).WasVisible = false;
     this->Props.GetState(i).WasTested = true;
   }
-  for (int i : visible)
+  const auto end = std::find_if_not(visible.begin(), visible.end(),
+    [this](int i) { return std::binary_search(this->Kept.begin(), this->Kept.end(), i); });
+  for (auto place = visible.begin(); place != end; ++place)
   {
-    this->Props.GetState(i).WasVisible = true;
+    this->Props.GetState(*place).WasVisible = true;
   }
-  return static_cast<int>(this->Kept.size() - visible.size());
+  const auto taken = static_cast<int>(end - visible.begin());
+  visible.erase(visible.begin(), end);
+  return static_cast<int>(this->Kept.size()) - taken;
 }
 VTK_ABI_NAMESPACE_END

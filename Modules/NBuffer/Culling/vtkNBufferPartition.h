@@ -69,9 +69,10 @@ public:
   /// Get those of the props held back that have not been drawn in this frame so far.
   std::vector<int> GetNotDrawn() const;
 
-  /// Store for the next frame that this frame's test has found the kept props in `visible` visible,
-  /// and the other kept props hidden. Returns the number of the hidden ones.
-  int SetVisibleKept(const std::vector<int>& visible);
+  /// `visible` begins with those of the kept props, in their order, that this frame's test has found
+  /// visible. Store that for the next frame, store that the other kept props are hidden, and remove
+  /// the kept props from `visible`. Returns the number of the hidden ones.
+  int TakeVisibleKept(std::vector<int>& visible);
 
   ///@{
   const std::vector<int>& GetKept() const { return this->Kept; }

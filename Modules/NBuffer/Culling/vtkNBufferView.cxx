@@ -272,12 +272,13 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
   return vtkNBufferDecision::None;
 }
 
-void vtkNBufferView::TestKept(vtkNBufferDepthTest& test)
+void vtkNBufferView::TestFirst(vtkNBufferDepthTest& test, std::vector<int>& left)
 {
-  // The kept props are drawn already. The next frame keeps those of them that are visible.
-  std::vector<int> visible = this->Partition.GetKept();
-  this->Statistics.PassedCoarseTest += test.RemoveHidden(visible);
-  this->KeptInVain = this->Partition.SetVisibleKept(visible);
+  // How many props are left decides whether pixels are read. The kept props, which are drawn
+  // already, are tested with the others, so that the verdict on a prop is the same if it was kept.
+  left.insert(left.begin(), this->Partition.GetKept().begin(), this->Partition.GetKept().end());
+  this->Statistics.PassedCoarseTest += test.RemoveHidden(left);
+  this->KeptInVain = this->Partition.TakeVisibleKept(left);
 }
 
 void vtkNBufferView::TestTranslucent(vtkNBufferDepthTest& test)
@@ -344,21 +345,23 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
       draw(all);
       return false;
     }
-    if (this->Statistics.Rounds == 0)
-    {
-      this->Statistics.Tested = static_cast<int>(
-        this->Partition.GetKept().size() + left.size() + this->Partition.GetTranslucent().size());
-      this->TestKept(test);
-    }
     for (int i : left)
     {
       this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
       this->Props.GetState(i).WasVisible = false;
       this->Props.GetState(i).WasTested = true;
     }
-    const int passed = test.RemoveHidden(left);
+    if (this->Statistics.Rounds == 0)
+    {
+      this->Statistics.Tested = static_cast<int>(
+        this->Partition.GetKept().size() + left.size() + this->Partition.GetTranslucent().size());
+      this->TestFirst(test, left);
+    }
+    else
+    {
+      test.RemoveHidden(left);
+    }
     this->Division.Test(test.GetDepthOfUnits(), left);
-    this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? passed : 0;
 
     // Another round must save more props than it draws to be worth its read-back.
     const auto limit = first << this->Statistics.Rounds;

@@ -117,7 +117,7 @@ private:
   int TestAndDraw(vtkRenderer* renderer);
   bool DrawRounds(vtkRenderer* renderer, int& drawn);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
-  void TestKept(vtkNBufferDepthTest& test);
+  void TestFirst(vtkNBufferDepthTest& test, std::vector<int>& left);
   void TestTranslucent(vtkNBufferDepthTest& test);
   /// PrepareTest() for a pass that draws its list a second time in this frame. Returns whether the
   /// draws of the first time can be repeated.
