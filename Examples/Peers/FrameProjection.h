@@ -23,7 +23,7 @@ inline void SetFrameProjection(
   const double quantum =
     source.FloatDepth ? 0x1p-24 : 1.0 / static_cast<double>((1ULL << source.DepthBits) - 1);
   projection.Set(vtkNBufferGLM::ToRows(vtkNBufferCamera(renderer).WorldToClip).data(), viewport[2],
-    viewport[3], quantum, std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]));
+    viewport[3], quantum, glm::ivec2(viewport[0], viewport[1]));
 }
 
 } // namespace NBufferPeers

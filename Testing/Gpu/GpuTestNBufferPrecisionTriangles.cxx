@@ -89,7 +89,7 @@ vtkNBufferProjection Sampler::GetProjection(double quantum) const
   }
   vtkNBufferProjection projection;
   projection.Set(vtkNBufferGLM::ToRows(matrix).data(), Width, Height,
-    vtkNBufferDepthFormat::FromQuantum(quantum, this->Stored), 0, vtkNBufferGL::GetSubpixelBits());
+    vtkNBufferDepthFormat::FromQuantum(quantum, this->Stored), {}, vtkNBufferGL::GetSubpixelBits());
   return projection;
 }
 

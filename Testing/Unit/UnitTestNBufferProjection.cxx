@@ -335,7 +335,7 @@ TEST(NBufferProjectionOnce, SlackIsThatOfItsDerivation)
   EXPECT_DOUBLE_EQ(format.Slack, 2.0 * quantum + 4.0 * u);
   EXPECT_EQ(format.RelativeSlack, 0.0);
   vtkNBufferBoxError error;
-  error.Set(format, 1000, 8);
+  error.Set(format, { 0, 0 }, { 1000, 750 }, 8);
   const double interpolation = 16.0 * (std::exp2(-8.5) + 8.0 * u * 1000.0) * range;
   EXPECT_NEAR(error.GetDepthSlack(0.5, range), format.Slack + interpolation, 1e-3 * interpolation);
   EXPECT_DOUBLE_EQ(error.GetDepthSlack(0.5, 0.0), format.Slack);
@@ -344,10 +344,10 @@ TEST(NBufferProjectionOnce, SlackIsThatOfItsDerivation)
     vtkNBufferDepthFormat::FromQuantum(quantum, vtkNBufferStoredDepth::Reversed);
   EXPECT_EQ(reversed.Scale, 1.0);
   EXPECT_EQ(reversed.Offset, 0.0);
-  error.Set(reversed, 1000, 8);
+  error.Set(reversed, { 0, 0 }, { 1000, 750 }, 8);
   EXPECT_DOUBLE_EQ(error.GetDepthSlack(-0.5, 0.0), 2.0 * quantum + 3.0 * u);
   EXPECT_NEAR(error.GetDepthSlack(0.0, range), 2.0 * quantum + interpolation, 1e-3 * interpolation);
-  error.Set(format, 1000, 8);
+  error.Set(format, { 0, 0 }, { 1000, 750 }, 8);
   vtkNBufferBox box;
   box.Origin = { 1.0, 0.0, 0.0 };
   box.Magnitude = { 1.0, 2.0, 3.0 };
@@ -356,7 +356,7 @@ TEST(NBufferProjectionOnce, SlackIsThatOfItsDerivation)
 }
 
 // Hazard: a viewport that begins far from the window's corner is rounded with larger coordinates.
-TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
+TEST(NBufferProjectionOnce, SlackGrowsWithTheOriginOfTheViewport)
 {
   ViewSampler sampler(12);
   const View view = sampler.MakeView(0.0, false);
@@ -366,7 +366,7 @@ TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
   vtkNBufferProjection projection = MakeProjection(view);
   const ProjectedBox before(projection, bounds);
   ASSERT_TRUE(before.IsInside());
-  projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24, 20000);
+  projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24, { 0, 20000 });
   const ProjectedBox after(projection, bounds);
   ASSERT_TRUE(after.IsInside());
   EXPECT_LT(after.Screen.Nearest, before.Screen.Nearest);

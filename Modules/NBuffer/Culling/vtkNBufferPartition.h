@@ -69,9 +69,9 @@ public:
   /// Get those of the props held back that have not been drawn in this frame so far.
   std::vector<int> GetNotDrawn() const;
 
-  /// `visible` begins with those of the kept props, in their order, that this frame's test has found
-  /// visible. Store that for the next frame, store that the other kept props are hidden, and remove
-  /// the kept props from `visible`. Returns the number of the hidden ones.
+  /// `visible` begins with those of the kept props, in their order, that this frame's test has
+  /// found visible. Store that for the next frame, store that the other kept props are hidden, and
+  /// remove the kept props from `visible`. Returns the number of the hidden ones.
   int TakeVisibleKept(std::vector<int>& visible);
 
   ///@{

@@ -47,7 +47,7 @@ struct vtkNBufferViewSetup
     const auto& viewport = this->Key.Viewport;
     projection.Set(toClip.data(), viewport[2], viewport[3],
       vtkNBufferDepthFormat::FromQuantum(this->DepthQuantum, this->Stored),
-      std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]), this->SubpixelBits);
+      glm::ivec2(viewport[0], viewport[1]), this->SubpixelBits);
   }
 };
 

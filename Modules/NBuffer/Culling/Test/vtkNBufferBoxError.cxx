@@ -18,6 +18,12 @@ constexpr double SlopeErrors = 32.0;
 constexpr double LowestRelativeHeight = 64.0;
 constexpr double DivisionErrors = 4.0;
 constexpr double AdditionErrors = 2.0;
+
+/// [x] of vtkNBufferSliverTest.h.
+double GetPowerOf2(double x)
+{
+  return std::ldexp(1.0, std::ilogb(x + 1.0));
+}
 }
 
 vtkNBufferDepthFormat vtkNBufferDepthFormat::FromQuantum(
@@ -36,11 +42,12 @@ vtkNBufferDepthFormat vtkNBufferDepthFormat::FromQuantum(
   return format;
 }
 
-void vtkNBufferBoxError::Set(
-  const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits)
+void vtkNBufferBoxError::Set(const vtkNBufferDepthFormat& format, const glm::ivec2& origin,
+  const glm::ivec2& size, int subpixelBits)
 {
+  const double largestCoordinate = std::max(origin.x + size.x, origin.y + size.y);
   this->Format = format;
-  this->LargestCoordinate = largestCoordinate;
+  this->Origin = origin;
   this->PositionRounding = PositionErrors * UnitRoundoff * largestCoordinate;
   this->WholeBorder =
     std::min(LargestSnap, std::ldexp(1.0, -subpixelBits) + this->PositionRounding);
@@ -54,7 +61,7 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
 {
   TriangleErrors errors;
   errors.PositionError = position + this->PositionRounding;
-  errors.LargestCoordinate = this->LargestCoordinate;
+  errors.Origin = this->Origin;
   errors.IsSnappedToGrid = this->SnapsToGrid;
   errors.Overshoot = OvershootInPixels;
   errors.DepthError = depth;
@@ -70,10 +77,10 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
 glm::dvec2 vtkNBufferTriangleErrors::GetPlaceError(const glm::dvec2& ofPlace, double ofW,
   double inverseW, const glm::dvec2& aside, const glm::dvec2& half) const
 {
-  // The largest window coordinates that the corner of the viewport may have.
-  const glm::dvec2 origin = this->LargestCoordinate - 2.0 * half;
+  const glm::dvec2 largest = this->Origin + half + aside;
   return (ofPlace + aside * ofW) * inverseW +
     vtkNBufferBoxError::UnitRoundoff *
-    (DivisionErrors * aside + AdditionErrors * (origin + half + aside));
+    (DivisionErrors * aside +
+      AdditionErrors * glm::dvec2(GetPowerOf2(largest.x), GetPowerOf2(largest.y)));
 }
 VTK_ABI_NAMESPACE_END

@@ -113,8 +113,10 @@ public:
   static constexpr double GridStep = 1.0 / 256;
   static constexpr double LowestHeight = 1.0 / 16; ///< t of the derivation above, in pixels.
 
-  /// `largestCoordinate` is n of the derivation above, in pixels, and `subpixelBits` is b.
-  void Set(const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits);
+  /// The viewport begins at `origin` in the window and has `size` pixels. `subpixelBits` is b of
+  /// the derivation above.
+  void Set(const vtkNBufferDepthFormat& format, const glm::ivec2& origin, const glm::ivec2& size,
+    int subpixelBits);
 
   /// The value of a row of a matrix at a point, (x, y, z, 1) times the row, added from left to
   /// right as the derivation counts it.
@@ -180,7 +182,7 @@ private:
   double DepthRangeSlack = 0.0;     ///< The last term of the slack for a depth range of 1.
   double PlaneRounding = 0.0;       ///< 8 u n of the derivation above, in pixels.
   double PositionRounding = 0.0;    ///< 16 u n of the derivation above, in pixels.
-  double LargestCoordinate = 0.0;   ///< n of the derivation above, in pixels.
+  glm::dvec2 Origin{};              ///< The lower left corner of the viewport, in pixels.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -74,18 +74,18 @@ private:
 };
 
 void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
-  double depthQuantum, int largestCoordinate, int subpixelBits)
+  double depthQuantum, const glm::ivec2& origin, int subpixelBits)
 {
-  this->Set(worldToClip, width, height, vtkNBufferDepthFormat::FromQuantum(depthQuantum),
-    largestCoordinate, subpixelBits);
+  this->Set(worldToClip, width, height, vtkNBufferDepthFormat::FromQuantum(depthQuantum), origin,
+    subpixelBits);
 }
 
 void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
-  const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits)
+  const vtkNBufferDepthFormat& format, const glm::ivec2& origin, int subpixelBits)
 {
   this->Width = width;
   this->Height = height;
-  this->Error.Set(format, std::max({ width, height, largestCoordinate }), subpixelBits);
+  this->Error.Set(format, origin, glm::ivec2(width, height), subpixelBits);
   // If there is no inverse all its elements are NaN, which every comparison below takes for
   // "unknown".
   const glm::dmat4 clipToWorld = vtkNBufferGLM::Invert(vtkNBufferGLM::ToMatrix(worldToClip));

@@ -43,17 +43,17 @@ public:
    * `worldToClip` is the matrix from world to clip coordinates, row by row as in vtkMatrix4x4, with
    * z in [-w, w]: vtkCamera's projection matrix for (aspect, -1, 1) times its model-view matrix.
    * The viewport is `width` x `height` pixels. `depthQuantum` is the step of the depth buffer's
-   * format, see vtkNBufferDepthFormat::FromQuantum(). `largestCoordinate` is the largest window
-   * coordinate in the viewport, in pixels; it is only needed if the viewport does not begin at 0.
+   * format, see vtkNBufferDepthFormat::FromQuantum(). `origin` is the lower left
+   * corner of the viewport in the window, in pixels.
    * `subpixelBits` is vtkNBufferGL::GetSubpixelBits(), which OpenGL guarantees to be at least 4.
    *
    * The second form is for depths other than VTK's. The z of its matrix must be the one that
    * `format` describes.
    */
   void Set(const double worldToClip[16], int width, int height, double depthQuantum,
-    int largestCoordinate = 0, int subpixelBits = 4);
+    const glm::ivec2& origin = glm::ivec2(0), int subpixelBits = 4);
   void Set(const double worldToClip[16], int width, int height, const vtkNBufferDepthFormat& format,
-    int largestCoordinate = 0, int subpixelBits = 4);
+    const glm::ivec2& origin = glm::ivec2(0), int subpixelBits = 4);
   ///@}
 
   int GetWidth() const { return this->Width; }

@@ -34,11 +34,11 @@
  *
  *  - A device draws the samples that lie in the snapped triangle. Its corners differ from the exact
  *    ones, in x and in y, by at most 1/512 pixel plus the errors of vertices. If the device says
- *    that it has 8 subpixel bits, and the box is wholly in view, so that no triangle is cut, a corner
- *    is at the nearest point of a grid of 1/256 pixel; its errors leave open which one only near the
- *    middle between two. A sample may lie in such a triangle only if it lies in the rectangle around
- *    the corners and the three areas that it spans with the sides may have the same sign. A triangle
- *    whose corners are known to be snapped to one line owns none.
+ *    that it has 8 subpixel bits, and the box is wholly in view, so that no triangle is cut, a
+ * corner is at the nearest point of a grid of 1/256 pixel; its errors leave open which one only
+ * near the middle between two. A sample may lie in such a triangle only if it lies in the rectangle
+ * around the corners and the three areas that it spans with the sides may have the same sign. A
+ * triangle whose corners are known to be snapped to one line owns none.
  *  - The depth is that of the plane of the vertices before they were snapped. With d the distance
  *    of the sample from the longest side, positive towards the third corner, it is the depth of
  *    that side there plus d / h times r, less the errors above. The errors of vertices are also
@@ -47,13 +47,15 @@
  *
  * Where h is less than the errors of the vertices, nothing is known of the plane. These errors are
  * therefore computed for each triangle and axis: with E of vtkNBufferBoxError.h, w of the nearest
- * corner, a the largest distance of a corner from the middle of the view and x the largest window
- * coordinate of a corner, both in pixels,
+ * corner, a the largest distance of a corner from the middle of the view, and x the largest window
+ * coordinate of a corner plus one pixel, on this axis,
  *
- *     E' = E / w + u (4 a + 2 x),
+ *     E' = E / w + u (4 a + 2 [x]),    [x]: the largest power of two that is not larger than x,
  *
  * because a device that does not cut a triangle rounds three times as it divides by w and scales,
- * and once more as it adds the middle of the viewport.
+ * and twice more as it adds the middle of the viewport and as it subtracts that of a pixel. A float
+ * less than 2 [x] has a last digit of at most 2 u [x], half of which is lost at most. (Among the
+ * ground plans of far houses, near the horizon, most of E' is that.)
  *
  * The mesh has to be drawn only if one of these samples is not behind what is stored in its pixel
  * or, if that is not at hand, in its texel of level 0.

@@ -19,8 +19,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTriangleErrors
 {
   /// How far a vertex may be from its exact place before it is snapped, in x and in y.
   double PositionError;
-  /// n of vtkNBufferBoxError.h, in pixels.
-  double LargestCoordinate;
+  /// The lower left corner of the viewport in the window, in pixels.
+  glm::dvec2 Origin;
   /// Whether a vertex is known to be snapped to the nearest multiple of
   /// vtkNBufferBoxError::GridStep.
   bool IsSnappedToGrid;
