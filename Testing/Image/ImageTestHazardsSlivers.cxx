@@ -116,6 +116,14 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
   comparison.Culled.Window->Render();
   EXPECT_EQ(comparison.GetVerdict(1), Verdict::Hidden);
   comparison.GetCuller()->SetTestSlivers(true);
+  // Triangles that are not read because the prop is divided are read when it is not any more.
+  const vtkNBufferTuning tuning = comparison.GetCuller()->GetTuning();
+  vtkNBufferTuning divided = tuning;
+  divided.MinimumNumberOfPrimitives = 2;
+  comparison.GetCuller()->SetTuning(divided);
+  comparison.Culled.Window->Render();
+  EXPECT_EQ(comparison.GetVerdict(1), Verdict::Hidden);
+  comparison.GetCuller()->SetTuning(tuning);
   comparison.Frame("slivers looked at");
   // Whether this rasteriser draws the stray pixel or not: one may.
   EXPECT_EQ(comparison.GetVerdict(1), Verdict::Visible);

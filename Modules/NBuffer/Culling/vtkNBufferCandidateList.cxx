@@ -334,10 +334,10 @@ void vtkNBufferCandidateList::ReadTriangles(int i, int limit)
   vtkNBufferMeshes::OfProp& kept = this->MeshesOfProps[i];
   const std::vector<vtkNBufferMeshes::Placed>& meshes =
     this->Meshes.Get(this->GetProp(i), limit, kept);
-  if (!this->FacesOfProps[i].AreKnown)
+  if (this->FacesOfProps[i].Limit != limit)
   {
     this->Faces.Set(this->FacesOfProps[i], meshes, this->GetBox(i));
-    this->FacesOfProps[i].AreKnown = kept.Limit == limit;
+    this->FacesOfProps[i].Limit = kept.Limit;
   }
 }
 

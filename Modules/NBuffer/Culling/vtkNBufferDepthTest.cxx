@@ -264,7 +264,8 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
       // A box without samples has an infinite clearance.
       if (slivers[n] == Slivers::Hidden && !std::isinf(this->Props.GetState(tested[n]).Clearance))
       {
-        slivers[n] = this->Props.GetFaces(tested[n]).AreKnown
+        slivers[n] =
+          this->Props.GetFaces(tested[n]).Limit == this->Settings.MinimumNumberOfPrimitives
           ? this->FindSlivers(tested[n], faceTest, sliverTest)
           : Slivers::Unknown;
       }

@@ -96,7 +96,6 @@ void vtkNBufferFaces::Set(
     }
   }
   ofProp.End = static_cast<unsigned int>(this->Pieces.size());
-  ofProp.AreKnown = true;
 }
 
 void vtkNBufferFaces::Add(const std::vector<Corners>& triangles, const glm::dvec3& origin)

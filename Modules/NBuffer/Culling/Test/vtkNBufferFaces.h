@@ -67,7 +67,7 @@ public:
   {
     unsigned int Begin = 0;
     unsigned int End = 0;
-    bool AreKnown = false; ///< Whether these are the pieces of the prop as it is.
+    vtkIdType Limit = -1; ///< That of vtkNBufferMeshes::OfProp when the pieces were set.
   };
 
   /// Set the pieces of a prop to those of its meshes. `box` is the box of the prop. Takes about 30
