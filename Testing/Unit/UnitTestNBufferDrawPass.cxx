@@ -48,6 +48,27 @@ TEST(NBufferDrawPass, StaysUntilItIsDetachedAsOftenAsAttached)
   EXPECT_FALSE(pass->IsAttachedTo(mapper));
 }
 
+// Hazard: actors that have used a mapper in several ways leave the renderer's list. Without the pass
+// the mapper would make its shaders anew when they come back.
+TEST(NBufferDrawPass, StaysAttachedWhereTheMapperIsKeptWhole)
+{
+  vtkNew<vtkRenderWindow> window;
+  const auto pass = vtkNBufferDrawPass::Get(window);
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkPolyDataMapper> mapper;
+  actor->SetMapper(mapper);
+  pass->Attach(actor);
+  vtkNBufferDrawPass::KeepWhole(mapper);
+  for (int i = 0; i < 3; ++i)
+  {
+    pass->Detach(actor);
+    EXPECT_EQ(CountPasses(actor), 1);
+    pass->Attach(actor);
+    EXPECT_EQ(CountPasses(actor), 1);
+  }
+  EXPECT_TRUE(pass->IsAttachedTo(mapper));
+}
+
 // The pass is never detached from an actor that is deleted. A new actor may be made at its address
 // (the allocator uses an address again soon), and must get the pass.
 TEST(NBufferDrawPass, ForgetsActorsThatWereDeleted)

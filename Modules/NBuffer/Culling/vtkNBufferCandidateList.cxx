@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidateList.h"
 
+#include "vtkNBufferDrawPass.h"
 #include "vtkNBufferForEachProp.h"
 
 #include "vtkActor.h"
@@ -222,7 +223,7 @@ void vtkNBufferCandidateList::FindSharedState()
     const void* mapper = candidate.GetUses().front().Object;
     if (mapper && (candidate.GetSharesState() || mappersOfParts.count(mapper) > 0))
     {
-      vtkNBufferSharedState::KeepWhole(static_cast<vtkActor*>(candidate.GetProp())->GetMapper());
+      vtkNBufferDrawPass::KeepWhole(static_cast<vtkActor*>(candidate.GetProp())->GetMapper());
     }
     if (std::exchange(this->States[i].OwnVerdict, candidate.GetVerdict()) != candidate.GetVerdict())
     {

@@ -4,6 +4,7 @@
 
 #include "vtkNBufferBlockStream.h"
 #include "vtkNBufferCandidate.h"
+#include "vtkNBufferDrawPass.h"
 #include "vtkNBufferForEachChild.h"
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferKnownClasses.h"
@@ -71,7 +72,7 @@ bool vtkNBufferLargeProps::IsLarge(vtkProp* prop, int minimum)
 bool vtkNBufferLargeProps::MayBeDivided(const vtkNBufferCandidate& candidate)
 {
   vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
-  if (!actor || !actor->GetMapper() || vtkNBufferSharedState::IsKeptWhole(actor->GetMapper()))
+  if (!actor || !actor->GetMapper() || vtkNBufferDrawPass::IsKeptWhole(actor->GetMapper()))
   {
     return false;
   }

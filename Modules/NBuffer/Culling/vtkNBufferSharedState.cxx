@@ -7,8 +7,6 @@
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -23,8 +21,6 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkInformationKeyMacro(vtkNBufferSharedState, KEPT_WHOLE, Integer);
-
 namespace
 {
 void Combine(std::size_t& hash, std::size_t value)
@@ -158,15 +154,5 @@ bool vtkNBufferSharedState::HasMixed() const
 {
   return std::any_of(this->Uncommon.begin(), this->Uncommon.end(),
     [](const auto& entry) { return entry.second.IsMixed; });
-}
-
-void vtkNBufferSharedState::KeepWhole(vtkMapper* mapper)
-{
-  mapper->GetInformation()->Set(KEPT_WHOLE(), 1);
-}
-
-bool vtkNBufferSharedState::IsKeptWhole(vtkMapper* mapper)
-{
-  return mapper->GetInformation()->Has(KEPT_WHOLE()) != 0;
 }
 VTK_ABI_NAMESPACE_END

@@ -26,7 +26,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
-class vtkInformationIntegerKey;
 class vtkMapper;
 
 class VTKNBUFFER_EXPORT vtkNBufferSharedState
@@ -63,19 +62,7 @@ public:
   /// Whether any object is used in several ways.
   bool HasMixed() const;
 
-  ///@{
-  /// Mark a mapper that must not get a reason to make its shaders anew, which a vtkNBufferDrawPass
-  /// is: that of an actor whose uses are mixed, or which has this mapper in common with a part of
-  /// an assembly (VTK gives the parts the property keys of the assembly, so that they cannot have
-  /// the pass). The mark stays when the other actor is hidden or uses the object in the same way,
-  /// because VTK goes on with the shaders that the mapper has made.
-  static void KeepWhole(vtkMapper* mapper);
-  static bool IsKeptWhole(vtkMapper* mapper);
-  ///@}
-
 private:
-  static vtkInformationIntegerKey* KEPT_WHOLE(); ///< In the information of a marked mapper.
-
   struct Entry
   {
     std::size_t Way;

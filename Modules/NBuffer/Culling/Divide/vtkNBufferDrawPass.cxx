@@ -4,7 +4,9 @@
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkWindow.h"
@@ -15,6 +17,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferDrawPass);
+vtkInformationKeyMacro(vtkNBufferDrawPass, KEPT_WHOLE, Integer);
 
 struct vtkNBufferDrawPass::Registry
 {
@@ -76,7 +79,8 @@ void vtkNBufferDrawPass::Attach(vtkActor* actor)
 void vtkNBufferDrawPass::Detach(vtkActor* actor)
 {
   const auto user = this->Users.find(actor);
-  if (--user->second.Count > 0)
+  vtkMapper* mapper = actor->GetMapper();
+  if ((mapper && IsKeptWhole(mapper)) || --user->second.Count > 0)
   {
     return;
   }
@@ -98,6 +102,16 @@ bool vtkNBufferDrawPass::IsAttachedTo(vtkMapper* mapper) const
   return std::any_of(this->Users.begin(), this->Users.end(),
     [mapper](const auto& entry)
     { return entry.second.Actor && entry.second.Actor->GetMapper() == mapper; });
+}
+
+void vtkNBufferDrawPass::KeepWhole(vtkMapper* mapper)
+{
+  mapper->GetInformation()->Set(KEPT_WHOLE(), 1);
+}
+
+bool vtkNBufferDrawPass::IsKeptWhole(vtkMapper* mapper)
+{
+  return mapper->GetInformation()->Has(KEPT_WHOLE()) != 0;
 }
 
 bool vtkNBufferDrawPass::SetShaderParameters(

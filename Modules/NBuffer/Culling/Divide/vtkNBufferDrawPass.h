@@ -9,8 +9,8 @@
  * that share a mapper share its shaders as well, and what they look like depends on when these are
  * made. Therefore all large props of a window have the same pass, and so has an actor that begins
  * to share the mapper of one of them. They keep it while they are in a renderer of the window,
- * whether they can be divided at the moment or not. An actor whose mapper was in use in several
- * ways before does not get the pass (vtkNBufferSharedState::KeepWhole()).
+ * whether they can be divided at the moment or not. Once actors use a mapper in several ways
+ * (KeepWhole()), its actors neither get the pass nor lose it.
  */
 #ifndef vtkNBufferDrawPass_h
 #define vtkNBufferDrawPass_h
@@ -27,6 +27,7 @@
 #include <utility>
 
 class vtkActor;
+class vtkInformationIntegerKey;
 class vtkMapper;
 class vtkWindow;
 
@@ -43,13 +44,24 @@ public:
 
   ///@{
   /// Add the pass to the property keys of an actor, or remove it after as many calls of Detach() as
-  /// of Attach(): an actor may be in several renderers of the window.
+  /// of Attach(): an actor may be in several renderers of the window. Detach() does nothing if the
+  /// mapper is kept whole, because the pass that goes is a reason to make shaders anew as well.
   void Attach(vtkActor* actor);
   void Detach(vtkActor* actor);
   ///@}
 
   /// Whether the pass is attached to an actor with this mapper.
   bool IsAttachedTo(vtkMapper* mapper) const;
+
+  ///@{
+  /// Mark a mapper that must not get a reason to make its shaders anew: that of an actor whose uses
+  /// are mixed (vtkNBufferSharedState), or which has this mapper in common with a part of an
+  /// assembly (VTK gives the parts the property keys of the assembly, so that they cannot have the
+  /// pass). The mark stays when the other actor is hidden or uses the object in the same way,
+  /// because VTK goes on with the shaders that the mapper has made.
+  static void KeepWhole(vtkMapper* mapper);
+  static bool IsKeptWhole(vtkMapper* mapper);
+  ///@}
 
   /// Set what to do before a mapper draws a prop, or nullptr.
   void SetCallback(std::function<void(vtkAbstractMapper*, vtkProp*)> callback)
@@ -71,6 +83,8 @@ protected:
 private:
   vtkNBufferDrawPass(const vtkNBufferDrawPass&) = delete;
   void operator=(const vtkNBufferDrawPass&) = delete;
+
+  static vtkInformationIntegerKey* KEPT_WHOLE(); ///< In the information of a marked mapper.
 
   struct User
   {
