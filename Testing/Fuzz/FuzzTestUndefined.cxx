@@ -84,6 +84,18 @@ TEST(FuzzUndefined, NoEdgesOfClippedGlyphs)
   ExpectRemoved(ChangeKind::Edges, PropKind::Glyphs);
 }
 
+// VTK draws glyphs of lines as wide as the lines before them, be it in an earlier scenario.
+TEST(FuzzUndefined, NoWireframesOfGlyphs)
+{
+  Scenario scenario;
+  scenario.Props.resize(2);
+  scenario.Props[0].Representation = scenario.Props[1].Representation = Representation::Wireframe;
+  scenario.Props[1].Kind = PropKind::Glyphs;
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[0].Representation, Representation::Wireframe);
+  EXPECT_EQ(scenario.Props[1].Representation, Representation::Surface);
+}
+
 // A renderer without cullers draws them as opaque once.
 TEST(FuzzUndefined, NoTranslucentScalarsOfFilters)
 {

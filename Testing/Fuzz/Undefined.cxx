@@ -77,6 +77,11 @@ void RemoveUndefined(Scenario& scene)
     {
       RemoveChanges(scene, ChangeKind::Opacity, prop.Id);
     }
+    // Glyphs of lines are as wide as the lines drawn before them (docs/limits.md).
+    if (prop.Kind == PropKind::Glyphs && prop.Representation == Representation::Wireframe)
+    {
+      prop.Representation = Representation::Surface;
+    }
     // VTK 9.1 does not compile their shader, and crashes.
     if (prop.Kind == PropKind::Glyphs && !prop.ClippingPlane.empty())
     {
