@@ -468,7 +468,8 @@ std::vector<NamedScenario> GetCullingHazards()
   {
     hazards.push_back(FarFromTheOrigin(offset));
   }
-  for (const auto& part : { GetScreenHazards(), GetShapeHazards(), GetBoundsHazards() })
+  for (const auto& part :
+    { GetScreenHazards(), GetShapeHazards(), GetSharedHazards(), GetBoundsHazards() })
   {
     hazards.insert(hazards.end(), part.begin(), part.end());
   }

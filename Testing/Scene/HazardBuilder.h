@@ -76,6 +76,7 @@ std::vector<int> MakeRange(int first, int last, int step = 1);
 std::vector<NamedScenario> GetBoundsHazards(); ///< Bounds that are not a box.
 std::vector<NamedScenario> GetScreenHazards(); ///< Pixels, windows and viewports.
 std::vector<NamedScenario> GetShapeHazards();  ///< Lines, equal depths, matrices.
+std::vector<NamedScenario> GetSharedHazards(); ///< Mappers that actors share.
 ///@}
 }
 

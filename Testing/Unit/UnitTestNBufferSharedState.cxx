@@ -3,6 +3,9 @@
 // Which shared objects are used in several ways, in any order of the props.
 #include "vtkNBufferSharedState.h"
 
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,4 +54,17 @@ TEST(NBufferSharedState, MixedObjectsAreFoundInAnyOrder)
   }
   EXPECT_FALSE(Collect({ Make(a, 2), Make(a, 2), Make(b, 1), Uses() }).HasMixed());
   EXPECT_FALSE(Collect({}).HasMixed());
+}
+
+// Whether shaders have been made anew is only known where the mapper draws.
+TEST(NBufferSharedState, MixedMappersStayMarked)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  EXPECT_FALSE(vtkNBufferSharedState::HasOtherShaders(mapper, false));
+  EXPECT_TRUE(vtkNBufferSharedState::HasOtherShaders(mapper, true));
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_TRUE(vtkNBufferSharedState::HasOtherShaders(mapper, false));
+    EXPECT_FALSE(vtkNBufferSharedState::HasNewShaders(mapper));
+  }
 }

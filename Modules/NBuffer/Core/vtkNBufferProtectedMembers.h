@@ -25,6 +25,7 @@
 
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
+#include <algorithm>
 #include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -86,6 +87,29 @@ inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
           selected[i].IBO->IndexCount == 0;
       }
       return isOnly ? stream : nullptr;
+    }
+  };
+  return Access::Get(mapper);
+}
+
+/// The time at which a mapper has made the oldest of its shaders; 0 if it has none.
+inline vtkMTimeType GetShaderTime(vtkOpenGLPolyDataMapper* mapper)
+{
+  struct Access : vtkOpenGLPolyDataMapper
+  {
+    static vtkMTimeType Get(vtkOpenGLPolyDataMapper* mapper)
+    {
+      vtkMTimeType oldest = VTK_MTIME_MAX;
+      for (const vtkOpenGLHelper* streams :
+        { mapper->*&Access::Primitives, mapper->*&Access::SelectionPrimitives })
+      {
+        for (int i = PrimitiveStart; i < PrimitiveEnd; ++i)
+        {
+          oldest =
+            streams[i].Program ? std::min(oldest, streams[i].ShaderSourceTime.GetMTime()) : oldest;
+        }
+      }
+      return oldest == VTK_MTIME_MAX ? 0 : oldest;
     }
   };
   return Access::Get(mapper);

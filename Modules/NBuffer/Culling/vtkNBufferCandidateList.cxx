@@ -56,7 +56,9 @@ int vtkNBufferCandidateList::Refresh()
     this->RefreshStale(all);
   }
   this->ReadParts();
-  if (this->UsesChanged)
+  if (this->UsesChanged ||
+    std::any_of(
+      this->OtherShaders.begin(), this->OtherShaders.end(), &vtkNBufferSharedState::HasNewShaders))
   {
     this->FindSharedState();
   }
@@ -211,26 +213,44 @@ void vtkNBufferCandidateList::FindSharedState()
       (state.*add)(uses);
     }
   }
-  std::unordered_set<const void*> mappersOfParts;
+  const auto getMapper = [](const vtkNBufferSharedState::Uses& uses)
+  { return static_cast<vtkMapper*>(const_cast<void*>(uses.front().Object)); };
+  const auto mark = [this, &state, getMapper](const vtkNBufferSharedState::Uses& uses)
+  {
+    vtkMapper* mapper = getMapper(uses);
+    if (mapper && vtkNBufferSharedState::HasOtherShaders(mapper, state.IsMixed({ uses.front() })))
+    {
+      this->OtherShaders.push_back(mapper);
+    }
+  };
+  this->OtherShaders.clear();
+  std::unordered_set<const vtkMapper*> mappersOfParts;
   for (const vtkNBufferSharedState::Uses& uses : this->PartUses)
   {
-    mappersOfParts.insert(uses.front().Object);
+    mark(uses);
+    mappersOfParts.insert(getMapper(uses));
+  }
+  for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
+  {
+    mark(candidate.GetUses());
   }
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
     vtkNBufferCandidate& candidate = this->Candidates[i];
-    candidate.SetSharesState(state.IsMixed(candidate.GetUses()));
-    const void* mapper = candidate.GetUses().front().Object;
-    if (mapper && (candidate.GetSharesState() || mappersOfParts.count(mapper) > 0))
+    const bool isMixed = state.IsMixed(candidate.GetUses());
+    candidate.SetSharesState(isMixed || !this->OtherShaders.empty());
+    vtkMapper* mapper = getMapper(candidate.GetUses());
+    if (mapper && (isMixed || mappersOfParts.count(mapper) > 0))
     {
-      vtkNBufferDrawPass::KeepWhole(static_cast<vtkActor*>(candidate.GetProp())->GetMapper());
+      vtkNBufferDrawPass::KeepWhole(mapper);
     }
+    this->Translucent = this->Translucent || candidate.IsTranslucent();
     if (std::exchange(this->States[i].OwnVerdict, candidate.GetVerdict()) != candidate.GetVerdict())
     {
       this->Tree.HasChanged(static_cast<int>(i));
     }
   }
-  this->SharesState = state.HasMixed();
+  this->SharesState = state.HasMixed() || !this->OtherShaders.empty();
 }
 
 void vtkNBufferCandidateList::ProjectOne(int i, const vtkNBufferProjection& projection)

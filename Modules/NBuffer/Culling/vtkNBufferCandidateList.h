@@ -192,6 +192,7 @@ private:
   bool BlendedParts = false;                         ///< A part of some prop is blended.
   std::vector<int> WithParts;                        ///< The places of the props that have parts.
   std::vector<vtkNBufferSharedState::Uses> PartUses; ///< The uses of all parts of these props.
+  std::vector<vtkMapper*> OtherShaders; ///< For which HasOtherShaders() of vtkNBufferSharedState.
 };
 
 VTK_ABI_NAMESPACE_END

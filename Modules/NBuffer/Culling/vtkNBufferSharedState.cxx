@@ -7,6 +7,9 @@
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetMapper.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -15,12 +18,15 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
+#include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <functional>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
+vtkInformationKeyMacro(vtkNBufferSharedState, OTHER_SHADERS, Double);
+
 namespace
 {
 void Combine(std::size_t& hash, std::size_t value)
@@ -154,5 +160,40 @@ bool vtkNBufferSharedState::HasMixed() const
 {
   return std::any_of(this->Uncommon.begin(), this->Uncommon.end(),
     [](const auto& entry) { return entry.second.IsMixed; });
+}
+
+bool vtkNBufferSharedState::HasNewShaders(vtkMapper* mapper)
+{
+  auto* extracts = vtkDataSetMapper::SafeDownCast(mapper);
+  auto* draws =
+    vtkOpenGLPolyDataMapper::SafeDownCast(extracts ? extracts->GetPolyDataMapper() : mapper);
+  return draws &&
+    static_cast<double>(vtkNBufferProtectedMembers::GetShaderTime(draws)) >
+    mapper->GetInformation()->Get(OTHER_SHADERS());
+}
+
+bool vtkNBufferSharedState::HasOtherShaders(vtkMapper* mapper, bool isMixed)
+{
+  vtkInformation* marks = mapper->GetInformation();
+  if (isMixed)
+  {
+    marks->Set(OTHER_SHADERS(), VTK_DOUBLE_MAX);
+  }
+  else if (!marks->Has(OTHER_SHADERS()))
+  {
+    return false;
+  }
+  else if (marks->Get(OTHER_SHADERS()) == VTK_DOUBLE_MAX)
+  {
+    vtkTimeStamp now;
+    now.Modified();
+    marks->Set(OTHER_SHADERS(), static_cast<double>(now.GetMTime()));
+  }
+  else if (HasNewShaders(mapper))
+  {
+    marks->Remove(OTHER_SHADERS());
+    return false;
+  }
+  return true;
 }
 VTK_ABI_NAMESPACE_END

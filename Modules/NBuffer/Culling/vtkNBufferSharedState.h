@@ -13,6 +13,11 @@
  * If all actors use an object in the same way, the order of drawing does not matter. If not, the
  * image depends on the order of drawing and on which actors are drawn at all. Therefore none of the
  * actors that use the object may be held back or left out.
+ *
+ * If the object is a mapper, no prop of the renderer may be. VTK draws an actor by the shaders of
+ * another one, but binds only the actor's own textures and sets only the parameters that its own
+ * settings need. What these shaders read otherwise is what any prop drawn before has left: texture
+ * units and programs belong to the window, and all mappers use them.
  */
 #ifndef vtkNBufferSharedState_h
 #define vtkNBufferSharedState_h
@@ -26,6 +31,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkInformationDoubleKey;
 class vtkMapper;
 
 class VTKNBUFFER_EXPORT vtkNBufferSharedState
@@ -62,7 +68,19 @@ public:
   /// Whether any object is used in several ways.
   bool HasMixed() const;
 
+  /// Whether a mapper may draw by shaders that were made for another way of using it. That is so if
+  /// its actors use it in several ways (`isMixed`), which marks the mapper, and afterwards until it
+  /// has made all its shaders anew.
+  static bool HasOtherShaders(vtkMapper* mapper, bool isMixed);
+
+  /// Whether a marked mapper has made all its shaders since its actors use it in the same way. Not
+  /// known, and false, for composite data and glyphs.
+  static bool HasNewShaders(vtkMapper* mapper);
+
 private:
+  /// In the information of a marked mapper: since when it is used in the same way.
+  static vtkInformationDoubleKey* OTHER_SHADERS();
+
   struct Entry
   {
     std::size_t Way;
