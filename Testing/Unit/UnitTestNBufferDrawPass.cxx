@@ -48,8 +48,8 @@ TEST(NBufferDrawPass, StaysUntilItIsDetachedAsOftenAsAttached)
   EXPECT_FALSE(pass->IsAttachedTo(mapper));
 }
 
-// Hazard: actors that have used a mapper in several ways leave the renderer's list. Without the pass
-// the mapper would make its shaders anew when they come back.
+// Hazard: actors that have used a mapper in several ways leave the renderer's list. Without the
+// pass the mapper would make its shaders anew when they come back.
 TEST(NBufferDrawPass, StaysAttachedWhereTheMapperIsKeptWhole)
 {
   vtkNew<vtkRenderWindow> window;
