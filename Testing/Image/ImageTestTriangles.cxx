@@ -109,7 +109,7 @@ TEST_P(CullerTriangles, BehindTheEdgeOfAWall)
 }
 
 // Hazard: the triangles of a prop with a pipeline are forgotten in every frame, so that the prop is
-// hidden in every second frame of a view that stands still.
+// drawn in every second frame of a view that stands still.
 TEST(CullerTrianglesOfAFilter, StayHidden)
 {
   ComparisonOptions options = Scenes::MakeExactOptions(TrianglesWidth, TrianglesHeight, 4);

@@ -213,6 +213,7 @@ void vtkNBufferCandidateList::FindSharedState()
       (state.*add)(uses);
     }
   }
+  // An actor that has not changed since its uses were read keeps its mapper alive.
   const auto getMapper = [](const vtkNBufferSharedState::Uses& uses)
   { return static_cast<vtkMapper*>(const_cast<void*>(uses.front().Object)); };
   const auto mark = [this, &state, getMapper](const vtkNBufferSharedState::Uses& uses)

@@ -37,7 +37,7 @@ class vtkMapper;
 class VTKNBUFFER_EXPORT vtkNBufferSharedState
 {
 public:
-  /// How an actor uses an object. Its address is only compared: it may have been deleted.
+  /// How an actor uses an object, which may have been deleted if the actor has changed since.
   struct Use
   {
     const void* Object = nullptr; ///< nullptr if the actor uses no such object.

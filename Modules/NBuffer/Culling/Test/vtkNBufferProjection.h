@@ -43,8 +43,8 @@ public:
    * `worldToClip` is the matrix from world to clip coordinates, row by row as in vtkMatrix4x4, with
    * z in [-w, w]: vtkCamera's projection matrix for (aspect, -1, 1) times its model-view matrix.
    * The viewport is `width` x `height` pixels. `depthQuantum` is the step of the depth buffer's
-   * format, see vtkNBufferDepthFormat::FromQuantum(). `origin` is the lower left
-   * corner of the viewport in the window, in pixels.
+   * format, see vtkNBufferDepthFormat::FromQuantum(). `origin` is the lower left corner of the
+   * viewport in the window, in pixels.
    * `subpixelBits` is vtkNBufferGL::GetSubpixelBits(), which OpenGL guarantees to be at least 4.
    *
    * The second form is for depths other than VTK's. The z of its matrix must be the one that

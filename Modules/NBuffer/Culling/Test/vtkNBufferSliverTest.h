@@ -35,10 +35,10 @@
  *  - A device draws the samples that lie in the snapped triangle. Its corners differ from the exact
  *    ones, in x and in y, by at most 1/512 pixel plus the errors of vertices. If the device says
  *    that it has 8 subpixel bits, and the box is wholly in view, so that no triangle is cut, a
- * corner is at the nearest point of a grid of 1/256 pixel; its errors leave open which one only
- * near the middle between two. A sample may lie in such a triangle only if it lies in the rectangle
- * around the corners and the three areas that it spans with the sides may have the same sign. A
- * triangle whose corners are known to be snapped to one line owns none.
+ *    corner is at the nearest point of a grid of 1/256 pixel; its errors leave open which one only
+ *    near the middle between two. A sample may lie in such a triangle only if it lies in the
+ *    rectangle around the corners and the three areas that it spans with the sides may have the
+ *    same sign. A triangle whose corners are known to be snapped to one line owns none.
  *  - The depth is that of the plane of the vertices before they were snapped. With d the distance
  *    of the sample from the longest side, positive towards the third corner, it is the depth of
  *    that side there plus d / h times r, less the errors above. The errors of vertices are also
