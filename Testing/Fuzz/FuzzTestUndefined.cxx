@@ -82,6 +82,20 @@ TEST(FuzzUndefined, NoNewContextWithSplats)
 TEST(FuzzUndefined, NoEdgesOfClippedGlyphs)
 {
   ExpectRemoved(ChangeKind::Edges, PropKind::Glyphs);
+  Scenario scenario;
+  scenario.Props.resize(3);
+  scenario.Props[0].Edges = scenario.Props[1].Edges = scenario.Props[2].Edges = true;
+  scenario.Props[1].Kind = scenario.Props[2].Kind = PropKind::Glyphs;
+  scenario.Props[2].Id = 2;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Props[2].Edges) << "nothing is clipped";
+  scenario.Props[0].ClippingPlane =
+    scenario.Props[1].ClippingPlane = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0 };
+  scenario.Changes.push_back({ 1, ChangeKind::ClippingPlane, 2, { 1.0 } });
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Props[0].Edges);
+  EXPECT_FALSE(scenario.Props[1].Edges);
+  EXPECT_FALSE(scenario.Props[2].Edges);
 }
 
 // VTK draws glyphs of lines as wide as the lines before them, be it in an earlier scenario.

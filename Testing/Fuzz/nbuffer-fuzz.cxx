@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -50,6 +52,16 @@ struct Options
   std::string Output = ".";
   int Backend = vtkNBufferCuller::Auto; ///< Another one replaces that of all scenarios.
 };
+
+/// What to say if VTK, the driver or the module crashes.
+char RunningScenario[64] = "";
+
+extern "C" void SayWhatCrashed(int signal)
+{
+  std::fputs(RunningScenario, stderr);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
 
 /// Seeds that follow each other give engines that resemble each other.
 std::uint64_t Mix(std::uint64_t seed, std::uint64_t n)
@@ -176,6 +188,8 @@ public:
         scenario.Frames = static_cast<int>(
           std::min<long long>(scenario.Frames, this->Settings.Frames - this->Counts.Frames));
       }
+      std::snprintf(RunningScenario, sizeof(RunningScenario), "crashed in scenario seed %llu\n",
+        static_cast<unsigned long long>(seed));
       // Windows of their own now and then: what begins with a context is tested, too.
       const bool fresh = this->Counts.Scenarios % ScenariosPerWindow == 0;
       const Outcome outcome = this->Checking.Run(scenario, fresh, &this->Counts);
@@ -364,10 +378,10 @@ int main(int argc, char* argv[])
       WriteJson(options.ScenarioFile, TestScene::ToJson(Generate(options.Seed, options)));
       return Success;
     }
-    const std::string fault = FindWindowFault();
-    if (!fault.empty())
+    const std::string whyNot = FindWindowFault();
+    if (!whyNot.empty())
     {
-      std::cout << "SKIPPED: " << fault << std::endl;
+      std::cout << "SKIPPED: " << whyNot << std::endl;
       return Skipped;
     }
     if (!options.ReplayFile.empty())
@@ -377,6 +391,10 @@ int main(int argc, char* argv[])
     if (options.Frames == 0 && options.Seconds == 0.0)
     {
       options.Frames = 1000;
+    }
+    for (const int fault : { SIGABRT, SIGFPE, SIGSEGV })
+    {
+      std::signal(fault, &SayWhatCrashed);
     }
     return Session(options).Run();
   }
