@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkDataSetMapper.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLActor.h"
@@ -15,6 +16,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
+#include "vtkTexture.h"
 
 #include <functional>
 #include <string>
@@ -64,10 +66,26 @@ vtkSmartPointer<vtkMapper> MakeCompositeMapper()
   return mapper.Get();
 }
 
+vtkSmartPointer<vtkTexture> MakeTexture(bool isRed)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* colors = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 48; ++i)
+  {
+    colors[i] = static_cast<unsigned char>((i % 3 == 0) == isRed ? 255 - 5 * i : 0);
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  return texture;
+}
+
 struct SharedWay : NamedCase
 {
   std::function<void(vtkActor*)> Change;
   bool Matters = true; ///< False for what VTK sets anew for each actor.
+  bool All = false;    ///< All props are drawn: other parameters of the shaders are set.
 };
 
 struct MapperKind : NamedCase
@@ -122,11 +140,18 @@ TEST_P(CullerSharedMappers, KeepTheirOrder)
   Comparison comparison(
     [&way = way, &kind = kind](Stage& stage) { BuildPair(stage, kind, way.Change); }, options);
   const int first = static_cast<int>(comparison.Culled.Props.size()) - 2;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 4; ++i)
   {
-    Scenes::FrameOfWall(comparison, 0.2 * i);
+    Scenes::FrameOfWall(comparison, 0.1 * i);
     EXPECT_EQ(comparison.GetVerdict(first), way.Matters ? Verdict::SharedMapper : Verdict::Visible);
-    EXPECT_EQ(comparison.GetDecision(), way.Matters ? Decision::Blending : Decision::Culled);
+    // Drawing for the first time changes mappers.
+    const bool hasChanged = way.Matters && i < 2;
+    EXPECT_EQ(
+      comparison.GetDecision(), way.All || hasChanged ? Decision::Blending : Decision::Culled);
+    EXPECT_EQ(comparison.GetVerdict(0),
+      way.All        ? Verdict::SharedMapper
+        : hasChanged ? Verdict::Untested
+                     : Verdict::Visible);
   }
   comparison.Frame("alike again",
     [](Stage& stage)
@@ -143,7 +168,8 @@ TEST_P(CullerSharedMappers, KeepTheirOrder)
   if (way.Name != std::string("Vertices"))
   {
     EXPECT_EQ(comparison.GetVerdict(first), isUnknown ? Verdict::SharedMapper : Verdict::Visible);
-    EXPECT_EQ(comparison.GetDecision(), isUnknown ? Decision::Blending : Decision::Culled);
+    EXPECT_EQ(
+      comparison.GetDecision(), isUnknown && way.All ? Decision::Blending : Decision::Culled);
   }
 }
 
@@ -174,6 +200,45 @@ TEST(CullerOwnActors, ThatShareAMapperAreFollowed)
   EXPECT_EQ(comparison.GetVerdict(first), Verdict::Visible);
 }
 
+// Hazard: an actor that has lost its texture is drawn by the shaders that read it, and shows what
+// another prop has left in the texture unit.
+TEST(CullerOwnActors, LostTexture)
+{
+  ComparisonOptions options;
+  options.Tuning.RoundSize = 1;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      for (const bool isHidden : { true, false })
+      {
+        vtkNew<vtkActor> actor;
+        actor->SetMapper(MakeMapper<vtkPolyDataMapper>());
+        actor->GetMapper()->ScalarVisibilityOff();
+        actor->SetScale(isHidden ? 1.0 : 2.5);
+        actor->SetPosition(0.0, 0.3, isHidden ? -8.0 : 6.0);
+        actor->SetTexture(MakeTexture(isHidden));
+        stage.Add(actor);
+      }
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    options);
+  const int last = static_cast<int>(comparison.Culled.Props.size()) - 1;
+  const auto walk = [&comparison, last](Verdict verdict, const char* name)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      Scenes::FrameOfWall(comparison, 0.02 * i, name);
+    }
+    EXPECT_EQ(comparison.GetVerdict(last - 1), verdict) << name;
+  };
+  walk(Verdict::Hidden, "textures");
+  comparison.Both([last](Stage& stage) { stage.GetActor(last)->SetTexture(nullptr); });
+  walk(Verdict::SharedMapper, "lost texture");
+  comparison.Both([last](Stage& stage) { stage.GetActor(last)->GetProperty()->Modified(); });
+  walk(Verdict::Hidden, "shaders made");
+}
+
 namespace
 {
 // Textures and visible edges are missing: where only one of two actors with a mapper has them, VTK
@@ -183,7 +248,8 @@ const SharedWay SharedWays[] = {
   { "Points", [](vtkActor* a) { a->GetProperty()->SetRepresentationToPoints(); } },
   { "Vertices", [](vtkActor* a) { a->GetProperty()->VertexVisibilityOn(); } },
   { "Flat", [](vtkActor* a) { a->GetProperty()->SetInterpolationToFlat(); } },
-  { "Physical", [](vtkActor* a) { a->GetProperty()->SetInterpolationToPBR(); } },
+  { "Physical", [](vtkActor* a) { a->GetProperty()->SetInterpolationToPBR(); }, true, true },
+  { "WideLines", [](vtkActor* a) { a->GetProperty()->SetLineWidth(3.0F); }, true, true },
   { "Unlit", [](vtkActor* a) { a->GetProperty()->LightingOff(); } },
   { "Backface",
     [](vtkActor* a)

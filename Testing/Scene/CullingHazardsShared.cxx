@@ -60,6 +60,51 @@ NamedScenario TexturesOfPropsOutside()
   return scene.Finish();
 }
 
+/// A surface and its wireframe with one mapper keep their order, and the other props are culled.
+/// Between them, before and after them props of the same shape are drawn late, in the frames in
+/// which what has hidden them is gone.
+NamedScenario SurfaceAndWireframe()
+{
+  HazardBuilder scene("SurfaceAndWireframe");
+  scene.BeExact();
+  scene.AddWall();
+  std::vector<int> late;
+  const int hidden = scene.Sphere({ 0.0, 0.0, -8.0 }, 1.0).Id;
+  late.push_back(scene.Sphere({ 0.0, 0.0, 4.0 }, 1.0).Id);
+  const int surface = scene.Sphere({ 0.0, 0.0, 4.0 }, 1.0).Id;
+  late.push_back(scene.Sphere({ 0.0, 0.0, 4.0 }, 1.0).Id);
+  Prop& lines = scene.Sphere({ 0.0, 0.0, 4.0 }, 1.0);
+  lines.MapperOf = surface;
+  lines.Representation = Representation::Wireframe;
+  const int wireframe = lines.Id;
+  late.push_back(scene.Sphere({ 0.0, 0.0, 4.0 }, 1.0).Id);
+  const int blocker = scene.Box({ 0.0, 0.0, 6.5 }, { 4.0, 4.0, 0.2 }).Id;
+  scene.LookAtWall();
+  Walk(scene, 1);
+  for (int i = 0; i < 2; ++i)
+  {
+    scene.Change(ChangeKind::Visible, blocker, { 1.0 });
+    Walk(scene, 4);
+    scene.ExpectDecision(Decision::Culled);
+    scene.ExpectVerdict({ surface }, Verdict::SharedMapper);
+    late.push_back(hidden);
+    scene.ExpectVerdict(late, Verdict::Hidden);
+    late.pop_back();
+    Walk(scene, 1);
+    scene.Change(ChangeKind::Visible, blocker, { 0.0 });
+    scene.ExpectDecision(Decision::Culled);
+    scene.ExpectVerdict({ hidden }, Verdict::Hidden);
+    scene.ExpectVerdict(late, Verdict::Visible);
+    Walk(scene, 1);
+  }
+  // Where one of them changes, the order of all props is kept for a frame.
+  scene.Change(ChangeKind::Color, wireframe, { 1.0, 0.5, 0.0 });
+  scene.ExpectDecision(Decision::Blending);
+  Walk(scene, 1);
+  scene.ExpectDecision(Decision::Culled);
+  return scene.Finish();
+}
+
 /// A hidden actor needs other shaders for some frames. Without the culler the mapper makes its
 /// shaders anew where it draws this actor, also in the first frame in which its needs are those of
 /// the other actor again.
@@ -131,7 +176,7 @@ NamedScenario DividedPropsLeaveTheList(DefaultCuller culler)
 
 std::vector<NamedScenario> GetSharedHazards()
 {
-  return { TexturesOfPropsOutside(), HiddenActorMakesShaders(),
+  return { TexturesOfPropsOutside(), SurfaceAndWireframe(), HiddenActorMakesShaders(),
     DividedPropsLeaveTheList(DefaultCuller::NoTakeOver),
     DividedPropsLeaveTheList(DefaultCuller::Removed) };
 }

@@ -26,7 +26,7 @@ vtkNBufferSharedState Collect(const std::vector<Uses>& all)
 Uses Make(const int& object, std::size_t way)
 {
   Uses uses;
-  uses[0] = { &object, way };
+  uses[vtkNBufferSharedState::Shaders] = { &object, way };
   return uses;
 }
 }
@@ -44,7 +44,6 @@ TEST(NBufferSharedState, MixedObjectsAreFoundInAnyOrder)
     {
       std::rotate(all.begin(), all.begin() + 1, all.end());
       const vtkNBufferSharedState state = Collect(all);
-      EXPECT_TRUE(state.HasMixed()) << i;
       EXPECT_TRUE(state.IsMixed(Make(a, 1))) << i;
       EXPECT_TRUE(state.IsMixed(Make(a, 2))) << i;
       EXPECT_FALSE(state.IsMixed(Make(b, wayOfB))) << i;
@@ -52,19 +51,38 @@ TEST(NBufferSharedState, MixedObjectsAreFoundInAnyOrder)
       EXPECT_FALSE(state.IsMixed(Uses())) << i;
     }
   }
-  EXPECT_FALSE(Collect({ Make(a, 2), Make(a, 2), Make(b, 1), Uses() }).HasMixed());
-  EXPECT_FALSE(Collect({}).HasMixed());
+  EXPECT_FALSE(Collect({ Make(a, 2), Make(a, 2), Make(b, 1), Uses() }).IsMixed(Make(a, 2)));
+  EXPECT_FALSE(Collect({}).IsMixed(Make(a, 1)));
+}
+
+// A mapper is an object in two places, with a way of using it in each.
+TEST(NBufferSharedState, PlacesAreApart)
+{
+  const int a = 0;
+  Uses first = Make(a, 1);
+  first[vtkNBufferSharedState::Parameters] = { &a, 3 };
+  Uses second = first;
+  second[vtkNBufferSharedState::Shaders].Way = 2;
+  EXPECT_FALSE(Collect({ first, first }).IsMixed(first));
+  const vtkNBufferSharedState state = Collect({ first, second });
+  EXPECT_TRUE(state.IsMixed(first));
+  EXPECT_TRUE(state.IsMixed(first, vtkNBufferSharedState::Shaders));
+  EXPECT_FALSE(state.IsMixed(first, vtkNBufferSharedState::Parameters));
 }
 
 // Whether shaders have been made anew is only known where the mapper draws.
 TEST(NBufferSharedState, MixedMappersStayMarked)
 {
+  using State = vtkNBufferSharedState;
   vtkNew<vtkPolyDataMapper> mapper;
-  EXPECT_FALSE(vtkNBufferSharedState::HasOtherShaders(mapper, false));
-  EXPECT_TRUE(vtkNBufferSharedState::HasOtherShaders(mapper, true));
-  for (int i = 0; i < 3; ++i)
+  for (const std::size_t place : { State::Parameters, State::Shaders })
   {
-    EXPECT_TRUE(vtkNBufferSharedState::HasOtherShaders(mapper, false));
-    EXPECT_FALSE(vtkNBufferSharedState::HasNewShaders(mapper));
+    EXPECT_FALSE(State::HasOtherShaders(mapper, place, false));
+    EXPECT_TRUE(State::HasOtherShaders(mapper, place, true));
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_TRUE(State::HasOtherShaders(mapper, place, false));
+      EXPECT_FALSE(State::HasNewShaders(mapper));
+    }
   }
 }

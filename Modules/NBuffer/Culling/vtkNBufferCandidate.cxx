@@ -89,6 +89,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   const vtkMTimeType timeBefore = this->Watch.GetTime();
   const vtkMapper* mapperBefore = this->Watch.GetMapper();
   const vtkNBufferVerdict box = this->ReadBox(actor);
+  vtkNBufferSharedState::MarkIfShadersStay(actor, this->Uses);
   this->Uses = vtkNBufferSharedState::GetUses(actor);
   this->HasInstances = vtkNBufferInstanceStream::MayBeDivided(actor, true);
   this->Verdict = this->HasInstances ? vtkNBufferVerdict::Translucent : this->Classify(actor, box);

@@ -19,6 +19,12 @@ namespace
 /// which it has observed at least ObjectsToObserve objects. That takes a millisecond.
 constexpr std::size_t PropsToObserve = 1024;
 constexpr std::size_t ObjectsToObserve = 2048;
+
+/// An actor that has not changed since its uses were read keeps its mapper alive.
+vtkMapper* GetMapper(const vtkNBufferSharedState::Uses& uses)
+{
+  return static_cast<vtkMapper*>(const_cast<void*>(uses.front().Object));
+}
 }
 
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
@@ -62,6 +68,8 @@ int vtkNBufferCandidateList::Refresh()
   {
     this->FindSharedState();
   }
+  this->SharedChanged = std::any_of(this->Changed.begin(), this->Changed.end(),
+    [this](int i) { return this->OtherShaders.count(GetMapper(this->Candidates[i].GetUses())); });
   this->ObserveSome();
   return static_cast<int>(this->Changed.size());
 }
@@ -179,7 +187,7 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
 
 bool vtkNBufferCandidateList::HasBlending(bool smoothLines, bool ambientOcclusion) const
 {
-  return this->Blending || this->BlendedParts || this->SharesState ||
+  return this->Blending || this->BlendedParts || this->SharesState || this->SharedChanged ||
     (smoothLines && this->Lines) || (ambientOcclusion && this->LackOfNormals);
 }
 
@@ -213,23 +221,29 @@ void vtkNBufferCandidateList::FindSharedState()
       (state.*add)(uses);
     }
   }
-  // An actor that has not changed since its uses were read keeps its mapper alive.
-  const auto getMapper = [](const vtkNBufferSharedState::Uses& uses)
-  { return static_cast<vtkMapper*>(const_cast<void*>(uses.front().Object)); };
-  const auto mark = [this, &state, getMapper](const vtkNBufferSharedState::Uses& uses)
+  bool otherParameters = false;
+  const auto mark = [this, &state, &otherParameters](const vtkNBufferSharedState::Uses& uses)
   {
-    vtkMapper* mapper = getMapper(uses);
-    if (mapper && vtkNBufferSharedState::HasOtherShaders(mapper, state.IsMixed({ uses.front() })))
+    for (const std::size_t place :
+      { vtkNBufferSharedState::Parameters, vtkNBufferSharedState::Shaders })
     {
-      this->OtherShaders.push_back(mapper);
+      if (GetMapper(uses) &&
+        vtkNBufferSharedState::HasOtherShaders(GetMapper(uses), place, state.IsMixed(uses, place)))
+      {
+        this->OtherShaders.insert(GetMapper(uses));
+        otherParameters = otherParameters || place == vtkNBufferSharedState::Parameters;
+      }
     }
+    this->SharesState = this->SharesState ||
+      state.IsMixed(uses, vtkNBufferSharedState::LookupTable) ||
+      state.IsMixed(uses, vtkNBufferSharedState::Points);
   };
   this->OtherShaders.clear();
   std::unordered_set<const vtkMapper*> mappersOfParts;
   for (const vtkNBufferSharedState::Uses& uses : this->PartUses)
   {
     mark(uses);
-    mappersOfParts.insert(getMapper(uses));
+    mappersOfParts.insert(GetMapper(uses));
   }
   for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
   {
@@ -238,9 +252,9 @@ void vtkNBufferCandidateList::FindSharedState()
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
     vtkNBufferCandidate& candidate = this->Candidates[i];
+    vtkMapper* mapper = GetMapper(candidate.GetUses());
     const bool isMixed = state.IsMixed(candidate.GetUses());
-    candidate.SetSharesState(isMixed || !this->OtherShaders.empty());
-    vtkMapper* mapper = getMapper(candidate.GetUses());
+    candidate.SetSharesState(isMixed || otherParameters || this->OtherShaders.count(mapper) > 0);
     if (mapper && (isMixed || mappersOfParts.count(mapper) > 0))
     {
       vtkNBufferDrawPass::KeepWhole(mapper);
@@ -251,7 +265,9 @@ void vtkNBufferCandidateList::FindSharedState()
       this->Tree.HasChanged(static_cast<int>(i));
     }
   }
-  this->SharesState = state.HasMixed() || !this->OtherShaders.empty();
+  this->SharesState = this->SharesState || otherParameters ||
+    std::any_of(this->OtherShaders.begin(), this->OtherShaders.end(),
+      [&mappersOfParts](const vtkMapper* mapper) { return mappersOfParts.count(mapper); });
 }
 
 void vtkNBufferCandidateList::ProjectOne(int i, const vtkNBufferProjection& projection)

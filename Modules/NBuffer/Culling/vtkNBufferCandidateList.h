@@ -21,6 +21,7 @@
 #include "vtkNBufferPropList.h"
 #include "vtkNBufferTieOrder.h"
 
+#include <unordered_set>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -180,19 +181,22 @@ private:
   std::size_t NextOfTurn = 0; ///< The place of the prop that the turn visits next.
   vtkNBufferPropWatch::GlobalState GlobalState{};
   int ListNumber = 0;
-  bool ListChanged = false;                          ///< Since the last RefreshStale().
-  bool UntrackedDepth = false;                       ///< Some prop writes depth and is not tracked.
-  bool Blending = false;                             ///< Some prop is blended.
-  bool DepthOffset = false;                          ///< The depth of some prop is offset.
-  bool Translucent = false;                          ///< Some prop is translucent.
-  bool Lines = false;                                ///< Some prop may draw lines.
-  bool LackOfNormals = false;                        ///< Some prop may lack normals.
-  bool UsesChanged = false;                          ///< FindSharedState() has to be called.
-  bool SharesState = false;                          ///< Some object is used in several ways.
+  bool ListChanged = false;    ///< Since the last RefreshStale().
+  bool UntrackedDepth = false; ///< Some prop writes depth and is not tracked.
+  bool Blending = false;       ///< Some prop is blended.
+  bool DepthOffset = false;    ///< The depth of some prop is offset.
+  bool Translucent = false;    ///< Some prop is translucent.
+  bool Lines = false;          ///< Some prop may draw lines.
+  bool LackOfNormals = false;  ///< Some prop may lack normals.
+  bool UsesChanged = false;    ///< FindSharedState() has to be called.
+  /// Some object is used in several ways, so that the order of all props matters.
+  bool SharesState = false;
+  bool SharedChanged = false;                        ///< Some prop in OtherShaders has changed.
   bool BlendedParts = false;                         ///< A part of some prop is blended.
   std::vector<int> WithParts;                        ///< The places of the props that have parts.
   std::vector<vtkNBufferSharedState::Uses> PartUses; ///< The uses of all parts of these props.
-  std::vector<vtkMapper*> OtherShaders; ///< For which HasOtherShaders() of vtkNBufferSharedState.
+  /// The mappers for which vtkNBufferSharedState::HasOtherShaders().
+  std::unordered_set<vtkMapper*> OtherShaders;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -25,6 +25,7 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
+vtkInformationKeyMacro(vtkNBufferSharedState, OTHER_PARAMETERS, Double);
 vtkInformationKeyMacro(vtkNBufferSharedState, OTHER_SHADERS, Double);
 
 namespace
@@ -35,29 +36,53 @@ void Combine(std::size_t& hash, std::size_t value)
 }
 
 /**
- * A hash of what vtkOpenGLPolyDataMapper::ReplaceShaderValues() reads of an actor. A mapper keeps
- * one set of shaders. It makes them for the first actor that it draws and makes them again when a
- * property is modified, but not when the next actor needs other shaders.
+ * A hash of what decides which parameters vtkOpenGLPolyDataMapper sets for an actor
+ * (SetMapperShaderParameters, SetPropertyShaderParameters, SetCameraShaderParameters). Missing is
+ * what makes the mapper make its shaders anew if it differs from the last actor's: lighting, coats
+ * and anisotropy.
  */
-std::size_t GetWayOfShading(vtkActor* actor)
+std::size_t GetWayOfSetting(vtkActor* actor)
 {
   std::size_t way = 0;
   vtkProperty* property = actor->GetProperty();
-  Combine(way, static_cast<std::size_t>(property->GetRepresentation()));
-  Combine(way, static_cast<std::size_t>(property->GetInterpolation()));
-  for (const bool value : { property->GetLighting(), property->GetEdgeVisibility() != 0,
-         property->GetVertexVisibility() != 0, property->GetRenderPointsAsSpheres(),
-         property->GetRenderLinesAsTubes(), property->GetLineWidth() > 1.0F,
-         property->GetCoatStrength() > 0.0, property->GetAnisotropy() != 0.0,
-         actor->GetBackfaceProperty() != nullptr, vtkNBufferSurface::HasReplacedShaders(actor) })
+  const bool hasOffset = vtkNBufferSurface::HasOffset(actor);
+  const bool isWide = property->GetLineWidth() > 1.0F;
+  for (const bool value : { property->GetInterpolation() == VTK_PBR, hasOffset, isWide,
+         property->GetEdgeVisibility() != 0, property->GetRenderLinesAsTubes(),
+         vtkNBufferSurface::HasReplacedShaders(actor) })
   {
     Combine(way, value);
+  }
+  // Whether edges, wide lines and depth offsets are drawn depends on the representation as well.
+  if (hasOffset || isWide)
+  {
+    Combine(way, static_cast<std::size_t>(property->GetRepresentation()));
   }
   Combine(way, std::hash<vtkTexture*>()(actor->GetTexture()));
   for (const auto& [name, texture] : property->GetAllTextures())
   {
     Combine(way, std::hash<std::string>()(name));
     Combine(way, std::hash<vtkTexture*>()(texture));
+  }
+  return way;
+}
+
+/**
+ * A hash of what vtkOpenGLPolyDataMapper::ReplaceShaderValues() reads of an actor. A mapper keeps
+ * one set of shaders. It makes them for the first actor that it draws and makes them again when a
+ * property is modified, but not when the next actor needs other shaders.
+ */
+std::size_t GetWayOfShading(vtkActor* actor)
+{
+  std::size_t way = GetWayOfSetting(actor);
+  vtkProperty* property = actor->GetProperty();
+  Combine(way, static_cast<std::size_t>(property->GetRepresentation()));
+  Combine(way, static_cast<std::size_t>(property->GetInterpolation()));
+  for (const bool value : { property->GetLighting(), property->GetVertexVisibility() != 0,
+         property->GetRenderPointsAsSpheres(), property->GetCoatStrength() > 0.0,
+         property->GetAnisotropy() != 0.0, actor->GetBackfaceProperty() != nullptr })
+  {
+    Combine(way, value);
   }
   return way;
 }
@@ -106,14 +131,30 @@ vtkNBufferSharedState::Use GetPointsUse(vtkMapper* mapper)
         ? shifts->GetVBOShiftScaleMethod()
         : static_cast<int>(vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE)) };
 }
+
+/// When a mapper has made its shaders. 0 if it has made none, or if that is not known.
+double GetShaderTime(vtkMapper* mapper)
+{
+  auto* extracts = vtkDataSetMapper::SafeDownCast(mapper);
+  auto* draws =
+    vtkOpenGLPolyDataMapper::SafeDownCast(extracts ? extracts->GetPolyDataMapper() : mapper);
+  return draws ? static_cast<double>(vtkNBufferProtectedMembers::GetShaderTime(draws)) : 0.0;
+}
+
+/// Whether a mapper has a mark and has made all its shaders since.
+bool HasMadeShadersSince(vtkMapper* mapper, vtkInformationDoubleKey* mark)
+{
+  vtkInformation* marks = mapper->GetInformation();
+  return marks->Has(mark) && GetShaderTime(mapper) > marks->Get(mark);
+}
 }
 
 vtkNBufferSharedState::Uses vtkNBufferSharedState::GetUses(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
-  return mapper
-    ? Uses{ Use{ mapper, GetWayOfShading(actor) }, GetTableUse(actor), GetPointsUse(mapper) }
-    : Uses();
+  return mapper ? Uses{ Use{ mapper, GetWayOfSetting(actor) },
+    Use{ mapper, GetWayOfShading(actor) }, GetTableUse(actor), GetPointsUse(mapper) }
+                : Uses();
 }
 
 void vtkNBufferSharedState::Add(const Uses& uses)
@@ -127,7 +168,7 @@ void vtkNBufferSharedState::Add(const Uses& uses)
     }
     if (object && way != this->Common[i].Way)
     {
-      Entry& entry = this->Uncommon.try_emplace(object, Entry{ way, false }).first->second;
+      Entry& entry = this->Uncommon[i].try_emplace(object, Entry{ way, false }).first->second;
       entry.IsMixed = entry.IsMixed || entry.Way != way;
     }
   }
@@ -135,65 +176,68 @@ void vtkNBufferSharedState::Add(const Uses& uses)
 
 void vtkNBufferSharedState::AddCommon(const Uses& uses)
 {
-  for (std::size_t i = 0; i < uses.size() && !this->Uncommon.empty(); ++i)
+  for (std::size_t i = 0; i < uses.size(); ++i)
   {
-    const auto found = this->Uncommon.find(uses[i].Object);
-    if (found != this->Uncommon.end() && uses[i].Way == this->Common[i].Way)
+    const auto found = this->Uncommon[i].find(uses[i].Object);
+    if (found != this->Uncommon[i].end() && uses[i].Way == this->Common[i].Way)
     {
       found->second.IsMixed = true;
     }
   }
 }
 
-bool vtkNBufferSharedState::IsMixed(const Uses& uses) const
+bool vtkNBufferSharedState::IsMixed(const Uses& uses, std::size_t place) const
 {
-  return !this->Uncommon.empty() &&
-    std::any_of(uses.begin(), uses.end(),
-      [this](const Use& use)
-      {
-        const auto found = this->Uncommon.find(use.Object);
-        return found != this->Uncommon.end() && found->second.IsMixed;
-      });
+  const auto found = this->Uncommon[place].find(uses[place].Object);
+  return found != this->Uncommon[place].end() && found->second.IsMixed;
 }
 
-bool vtkNBufferSharedState::HasMixed() const
+bool vtkNBufferSharedState::IsMixed(const Uses& uses) const
 {
-  return std::any_of(this->Uncommon.begin(), this->Uncommon.end(),
-    [](const auto& entry) { return entry.second.IsMixed; });
+  return this->IsMixed(uses, Shaders) || this->IsMixed(uses, LookupTable) ||
+    this->IsMixed(uses, Points);
 }
 
 bool vtkNBufferSharedState::HasNewShaders(vtkMapper* mapper)
 {
-  auto* extracts = vtkDataSetMapper::SafeDownCast(mapper);
-  auto* draws =
-    vtkOpenGLPolyDataMapper::SafeDownCast(extracts ? extracts->GetPolyDataMapper() : mapper);
-  return draws &&
-    static_cast<double>(vtkNBufferProtectedMembers::GetShaderTime(draws)) >
-    mapper->GetInformation()->Get(OTHER_SHADERS());
+  return HasMadeShadersSince(mapper, OTHER_PARAMETERS()) ||
+    HasMadeShadersSince(mapper, OTHER_SHADERS());
 }
 
-bool vtkNBufferSharedState::HasOtherShaders(vtkMapper* mapper, bool isMixed)
+bool vtkNBufferSharedState::HasOtherShaders(vtkMapper* mapper, std::size_t place, bool isMixed)
 {
+  vtkInformationDoubleKey* mark = place == Parameters ? OTHER_PARAMETERS() : OTHER_SHADERS();
   vtkInformation* marks = mapper->GetInformation();
   if (isMixed)
   {
-    marks->Set(OTHER_SHADERS(), VTK_DOUBLE_MAX);
+    marks->Set(mark, VTK_DOUBLE_MAX);
   }
-  else if (!marks->Has(OTHER_SHADERS()))
+  else if (!marks->Has(mark))
   {
     return false;
   }
-  else if (marks->Get(OTHER_SHADERS()) == VTK_DOUBLE_MAX)
+  else if (marks->Get(mark) == VTK_DOUBLE_MAX)
   {
     vtkTimeStamp now;
     now.Modified();
-    marks->Set(OTHER_SHADERS(), static_cast<double>(now.GetMTime()));
+    marks->Set(mark, static_cast<double>(now.GetMTime()));
   }
-  else if (HasNewShaders(mapper))
+  else if (HasMadeShadersSince(mapper, mark))
   {
-    marks->Remove(OTHER_SHADERS());
+    marks->Remove(mark);
     return false;
   }
   return true;
+}
+
+void vtkNBufferSharedState::MarkIfShadersStay(vtkActor* actor, const Uses& before)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  const Use& used = before[Parameters];
+  if (mapper && used.Object == mapper && used.Way != GetWayOfSetting(actor) &&
+    GetShaderTime(mapper) > static_cast<double>(actor->GetProperty()->GetMTime()))
+  {
+    HasOtherShaders(mapper, Parameters, true);
+  }
 }
 VTK_ABI_NAMESPACE_END

@@ -14,10 +14,11 @@
  * image depends on the order of drawing and on which actors are drawn at all. Therefore none of the
  * actors that use the object may be held back or left out.
  *
- * If the object is a mapper, no prop of the renderer may be. VTK draws an actor by the shaders of
- * another one, but binds only the actor's own textures and sets only the parameters that its own
- * settings need. What these shaders read otherwise is what any prop drawn before has left: texture
- * units and programs belong to the window, and all mappers use them.
+ * A mapper draws an actor by the shaders of another one, but sets only the parameters that the
+ * actor's own settings need: textures, or those of edges. What the shaders read otherwise is what
+ * any prop drawn before has left, because texture units and programs belong to the window and all
+ * mappers use them. If the actors of a mapper differ in the parameters that they set, no prop of
+ * the renderer may be held back or left out.
  */
 #ifndef vtkNBufferSharedState_h
 #define vtkNBufferSharedState_h
@@ -27,6 +28,7 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <unordered_map>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -48,8 +50,15 @@ public:
     }
   };
 
-  /// What one actor uses: its mapper first, a lookup table, and an array of points.
-  using Uses = std::array<Use, 3>;
+  ///@{
+  /// What one actor uses: its mapper twice, a lookup table, and an array of points. Actors that use
+  /// the mapper in different ways by the first number do so by the second one, too.
+  static constexpr std::size_t Parameters = 0; ///< Which parameters of the shaders are set.
+  static constexpr std::size_t Shaders = 1;    ///< Which shaders are needed.
+  static constexpr std::size_t LookupTable = 2;
+  static constexpr std::size_t Points = 3;
+  using Uses = std::array<Use, 4>;
+  ///@}
 
   /// The uses of an actor whose pipeline is up to date.
   static Uses GetUses(vtkActor* actor);
@@ -62,24 +71,32 @@ public:
   void AddCommon(const Uses& uses);
   ///@}
 
-  /// Whether any of these objects is used in several ways.
+  ///@{
+  /// Whether one of these objects, or any of them, is used in several ways.
+  bool IsMixed(const Uses& uses, std::size_t place) const;
   bool IsMixed(const Uses& uses) const;
+  ///@}
 
-  /// Whether any object is used in several ways.
-  bool HasMixed() const;
+  /// Whether a mapper may draw by shaders that were made for another way of using it, by `Shaders`
+  /// or by `Parameters` (`place`). That is so if its actors use it in several ways (`isMixed`),
+  /// which marks the mapper, and afterwards until it has made all its shaders anew.
+  static bool HasOtherShaders(vtkMapper* mapper, std::size_t place, bool isMixed);
 
-  /// Whether a mapper may draw by shaders that were made for another way of using it. That is so if
-  /// its actors use it in several ways (`isMixed`), which marks the mapper, and afterwards until it
-  /// has made all its shaders anew.
-  static bool HasOtherShaders(vtkMapper* mapper, bool isMixed);
-
-  /// Whether a marked mapper has made all its shaders since its actors use it in the same way. Not
-  /// known, and false, for composite data and glyphs.
+  /// Whether a mapper with a mark has made all its shaders since its actors use it in the same way.
+  /// Not known, and false, for composite data and glyphs.
   static bool HasNewShaders(vtkMapper* mapper);
 
+  /// Mark the mapper of an actor if it goes on with its shaders although the actor sets other
+  /// parameters than `before`. That is so if only a texture or a property is exchanged, and the
+  /// property has not been modified since the shaders were made. Does nothing for composite data.
+  static void MarkIfShadersStay(vtkActor* actor, const Uses& before);
+
 private:
+  ///@{
   /// In the information of a marked mapper: since when it is used in the same way.
+  static vtkInformationDoubleKey* OTHER_PARAMETERS();
   static vtkInformationDoubleKey* OTHER_SHADERS();
+  ///@}
 
   struct Entry
   {
@@ -90,7 +107,7 @@ private:
   /// The first use of each kind of object. Its way is the common one: most actors use their mapper
   /// (or table, or points) in this way. `Uncommon` holds the objects that are used in other ways.
   Uses Common;
-  std::unordered_map<const void*, Entry> Uncommon;
+  std::array<std::unordered_map<const void*, Entry>, std::tuple_size<Uses>::value> Uncommon;
 };
 
 VTK_ABI_NAMESPACE_END
