@@ -188,13 +188,6 @@ MUTANTS = {
          "  Combine(way, static_cast<std::size_t>(property->GetRepresentation()));\n"
          "  Combine(way, static_cast<std::size_t>(property->GetInterpolation()));\n",
          "  Combine(way, static_cast<std::size_t>(property->GetInterpolation()));\n")],
-    "other props left out where actors with one mapper set other parameters": [
-        ("vtkNBufferCandidateList.cxx", "isMixed || otherParameters ||", "isMixed ||"),
-        ("vtkNBufferCandidateList.cxx", "this->SharesState || otherParameters ||",
-         "this->SharesState ||")],
-    "props held back although one that shares its mapper has changed": [
-        ("vtkNBufferCandidateList.cxx", "this->SharesState || this->SharedChanged ||",
-         "this->SharesState ||")],
     "changes of observed objects not noticed": [
         ("vtkNBufferCandidateList.cxx", "!this->Observed.TakeChange() && !lost;", "true;")],
     "changes of observed actors not noticed": [

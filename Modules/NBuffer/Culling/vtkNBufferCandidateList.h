@@ -37,7 +37,7 @@ public:
   /// Follow the renderer's list of props. Returns whether it differs from the last one.
   bool Synchronize(vtkProp** props, int count);
 
-  /// A number that grows whenever Synchronize() finds another list.
+  /// Grows whenever Synchronize() finds another list.
   int GetListNumber() const { return this->ListNumber; }
 
   /// Bring the caches up to date. Returns the number of props that have changed. Project() has to
@@ -154,8 +154,7 @@ private:
   void ReadParts();
   /// Find out for each candidate whether another prop uses one of its objects in another way.
   void FindSharedState();
-  /// Visit the next few props, and observe those that have not changed since the last visit. A turn
-  /// visits all props once.
+  /// Visit the next few props in turn, and observe those that have not changed since the last one.
   void ObserveSome();
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
 
@@ -189,14 +188,12 @@ private:
   bool Lines = false;          ///< Some prop may draw lines.
   bool LackOfNormals = false;  ///< Some prop may lack normals.
   bool UsesChanged = false;    ///< FindSharedState() has to be called.
-  /// Some object is used in several ways, so that the order of all props matters.
-  bool SharesState = false;
-  bool SharedChanged = false;                        ///< Some prop in OtherShaders has changed.
-  bool BlendedParts = false;                         ///< A part of some prop is blended.
-  std::vector<int> WithParts;                        ///< The places of the props that have parts.
+  bool SharesState = false;    ///< For its sake the order of all props matters.
+  bool SharedChanged = false;  ///< Some prop in OtherShaders has changed.
+  bool BlendedParts = false;   ///< A part of some prop is blended.
+  std::vector<int> WithParts;  ///< The places of the props that have parts.
   std::vector<vtkNBufferSharedState::Uses> PartUses; ///< The uses of all parts of these props.
-  /// The mappers for which vtkNBufferSharedState::HasOtherShaders().
-  std::unordered_set<vtkMapper*> OtherShaders;
+  std::unordered_set<vtkMapper*> OtherShaders;       ///< Those for which HasOtherShaders() is true.
 };
 
 VTK_ABI_NAMESPACE_END
