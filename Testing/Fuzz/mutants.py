@@ -28,7 +28,8 @@ LITMAP_SET = "vtkShadowLitmapSet.cxx"
 REACH = "vtkShadowUmbra.cxx"
 VOLUME = "vtkShadowVolume.cxx"
 
-NO_VERTEX_SLACK = (BOX_ERROR, "VertexErrors = 8.0;", "VertexErrors = 0.0;")
+NO_VERTEX_SLACK = [(BOX_ERROR, "VertexErrors = 6.0 *", "VertexErrors = 0.0 *"),
+                   (BOX_ERROR, "OriginErrors = 4.0 *", "OriginErrors = 0.0 *")]
 NO_DEPTH_SLACK = [
     ("vtkNBufferBoxError.cxx",
      "format.Slack = 2.0 * quantum + DepthErrors * vtkNBufferBoxError::UnitRoundoff;",
@@ -41,9 +42,9 @@ NEAR_PLANE_TEST = (
 
 MUTANTS = {
     # Tolerances.
-    "no slack at all": [NO_VERTEX_SLACK, *NO_DEPTH_SLACK,
+    "no slack at all": [*NO_VERTEX_SLACK, *NO_DEPTH_SLACK,
                         (BOX_ERROR, "LargestSnap = 1.0 / 16;", "LargestSnap = 0.0;")],
-    "no slack for rounded vertices": [NO_VERTEX_SLACK],
+    "no slack for rounded vertices": NO_VERTEX_SLACK,
     "vertices believed to be near the buffer's zero": [
         (SURFACE, "IsShifted(plain, low, high);", "(IsShifted(plain, low, high) || true);")],
     "no margin for wide lines and points": [

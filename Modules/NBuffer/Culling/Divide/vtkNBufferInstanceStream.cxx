@@ -224,8 +224,8 @@ bool vtkNBufferInstanceStream::ReadBatch(
    * M (G v), where M goes to clip coordinates. The elements of G are the floats that are read here.
    * With a = |G| |v|, translation included, the first product is off by at most 6 u a: the vertex
    * and the product are rounded once each, the additions three times, and 1 u is for terms of
-   * second order. The second product adds the 8 u (sum_j |M_j| a_j + |M_3|) of
-   * vtkNBufferBoxError.h. Both are less than 8 u (sum_j |M_j| 2 a_j + |M_3|): twice the magnitude.
+   * second order. The second product adds the 6 u sum_j |M_j| a_j + 4 u |M_3| of
+   * vtkNBufferBoxError.h. Together this is E of that file with twice the magnitude, 2 a.
    */
   for (std::size_t i = 0; i < size; ++i)
   {

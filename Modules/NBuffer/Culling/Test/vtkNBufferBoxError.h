@@ -14,10 +14,11 @@
  * Let u be 2^-24. A vertex is a vector v of floats in the vertex buffer. The device multiplies it
  * with a matrix that VTK composes in double precision and rounds to float: from the buffer to the
  * world, p = o + L v, and from the world to clip coordinates, M. A clip coordinate is a sum of four
- * products. The vertex is rounded (u), the matrix element is rounded (u), and one product and three
- * additions are rounded (4 u); 2 u more cover terms of second order:
+ * products, added in any order. In three of them the vertex, the matrix element and the product are
+ * rounded (3 u), and in the fourth one, whose factor is 1, only the matrix element (u). Three
+ * additions follow (3 u). Terms of second order are less than 2^-16 of that:
  *
- *     E = 8 u (sum_j |M_j| m_j + |M_j o + M_3|),     m_j = sum_k |L_jk| max |v_k|,
+ *     E = 6 u sum_j |M_j| m_j + 4 u |M_j o + M_3|,     m_j = sum_k |L_jk| max |v_k|,
  *
  * with `Origin` o and `Magnitude` m of vtkNBufferBox. Usually o is the actor's translation and v
  * are the model coordinates. Where coordinates are large compared with the size of the data (UTM
@@ -129,9 +130,8 @@ public:
   /// any vertex in the box and a row of the matrix from world to clip coordinates.
   static double GetVertexError(const glm::dvec4& row, const vtkNBufferBox& box)
   {
-    return VertexErrors * UnitRoundoff *
-      (glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), box.Magnitude) +
-        std::abs(Evaluate(row, box.Origin)));
+    return VertexErrors * glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), box.Magnitude) +
+      OriginErrors * std::abs(Evaluate(row, box.Origin));
   }
 
   /// E of four rows of a matrix at once: `absolute` are the absolute values of its elements, and
@@ -139,9 +139,8 @@ public:
   static glm::dvec4 GetVertexErrors(
     const glm::dmat4& absolute, const glm::dvec3& magnitude, const glm::dvec4& ofOrigin)
   {
-    return VertexErrors * UnitRoundoff *
-      (vtkNBufferGLM::Multiply(absolute, glm::dvec4(magnitude, 0.0)) +
-        vtkNBufferGLM::Abs(ofOrigin));
+    return VertexErrors * vtkNBufferGLM::Multiply(absolute, glm::dvec4(magnitude, 0.0)) +
+      OriginErrors * vtkNBufferGLM::Abs(ofOrigin);
   }
 
   /// The pixels to add on each side of a projected box: its margin and the border of the derivation
@@ -172,8 +171,11 @@ public:
   TriangleErrors GetTriangleErrors(double position, double depth, double range) const;
 
 private:
-  // The factors of the derivation above, in units of UnitRoundoff where they count roundings.
-  static constexpr double VertexErrors = 8.0;
+  ///@{
+  /// 6 u and 4 u of the derivation above, with the terms of second order.
+  static constexpr double VertexErrors = 6.0 * UnitRoundoff * (1.0 + 0x1p-16);
+  static constexpr double OriginErrors = 4.0 * UnitRoundoff * (1.0 + 0x1p-16);
+  ///@}
   static constexpr double LargestSnap = 1.0 / 16; // pixels, OpenGL's minimum of subpixel bits
 
   vtkNBufferDepthFormat Format;
