@@ -46,7 +46,8 @@ enum class vtkNBufferVerdict : int
   NoBounds,         ///< Drawn: its bounds are null, uninitialised, infinite or NaN.
   SharedMapper,     ///< Drawn: it shares its mapper, lookup table or array of points with another
                     ///< prop (or a part of one) that uses it in another way. VTK then draws one of
-                    ///< them with the shaders, the range or the vertex buffer of the other.
+                    ///< them with the shaders, the range or the vertex buffer of the other. If
+                    ///< these shaders read what the other does not set, all props are drawn.
   NumberOfVerdicts
 };
 

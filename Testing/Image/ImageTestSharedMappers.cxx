@@ -233,6 +233,8 @@ TEST(CullerOwnActors, LostTexture)
     EXPECT_EQ(comparison.GetVerdict(last - 1), verdict) << name;
   };
   walk(Verdict::Hidden, "textures");
+  comparison.Both([last](Stage& stage) { stage.GetActor(last)->SetTexture(MakeTexture(true)); });
+  walk(Verdict::Hidden, "another texture");
   comparison.Both([last](Stage& stage) { stage.GetActor(last)->SetTexture(nullptr); });
   walk(Verdict::SharedMapper, "lost texture");
   comparison.Both([last](Stage& stage) { stage.GetActor(last)->GetProperty()->Modified(); });

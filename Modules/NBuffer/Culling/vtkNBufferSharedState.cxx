@@ -30,6 +30,9 @@ vtkInformationKeyMacro(vtkNBufferSharedState, OTHER_SHADERS, Double);
 
 namespace
 {
+constexpr int MaximumNumberOfTextures = 8;
+constexpr int NumberOfGroups = MaximumNumberOfTextures + 4;
+
 void Combine(std::size_t& hash, std::size_t value)
 {
   hash ^= value + 0x9e3779b97f4a7c15 + (hash << 6) + (hash >> 2);
@@ -39,7 +42,7 @@ void Combine(std::size_t& hash, std::size_t value)
  * A hash of what decides which parameters vtkOpenGLPolyDataMapper sets for an actor
  * (SetMapperShaderParameters, SetPropertyShaderParameters, SetCameraShaderParameters). Missing is
  * what makes the mapper make its shaders anew if it differs from the last actor's: lighting, coats
- * and anisotropy.
+ * and anisotropy. The lowest NumberOfGroups bits say which groups of parameters are set.
  */
 std::size_t GetWayOfSetting(vtkActor* actor)
 {
@@ -47,12 +50,8 @@ std::size_t GetWayOfSetting(vtkActor* actor)
   vtkProperty* property = actor->GetProperty();
   const bool hasOffset = vtkNBufferSurface::HasOffset(actor);
   const bool isWide = property->GetLineWidth() > 1.0F;
-  for (const bool value : { property->GetInterpolation() == VTK_PBR, hasOffset, isWide,
-         property->GetEdgeVisibility() != 0, property->GetRenderLinesAsTubes(),
-         vtkNBufferSurface::HasReplacedShaders(actor) })
-  {
-    Combine(way, value);
-  }
+  Combine(way, hasOffset);
+  Combine(way, property->GetRenderLinesAsTubes());
   // Whether edges, wide lines and depth offsets are drawn depends on the representation as well.
   if (hasOffset || isWide)
   {
@@ -64,7 +63,15 @@ std::size_t GetWayOfSetting(vtkActor* actor)
     Combine(way, std::hash<std::string>()(name));
     Combine(way, std::hash<vtkTexture*>()(texture));
   }
-  return way;
+  // A bit for each texture, and one for each other group of parameters that the actor sets.
+  const int textures = property->GetNumberOfTextures() + (actor->GetTexture() ? 1 : 0);
+  std::size_t groups = (std::size_t{ 1 } << std::min(textures, MaximumNumberOfTextures)) - 1;
+  for (const bool value : { property->GetInterpolation() == VTK_PBR, isWide,
+         property->GetEdgeVisibility() != 0, vtkNBufferSurface::HasReplacedShaders(actor) })
+  {
+    groups = 2 * groups + (value ? 1 : 0);
+  }
+  return (way << NumberOfGroups) + groups;
 }
 
 /**
@@ -234,7 +241,12 @@ void vtkNBufferSharedState::MarkIfShadersStay(vtkActor* actor, const Uses& befor
 {
   vtkMapper* mapper = actor->GetMapper();
   const Use& used = before[Parameters];
-  if (mapper && used.Object == mapper && used.Way != GetWayOfSetting(actor) &&
+  if (!mapper || used.Object != mapper)
+  {
+    return;
+  }
+  const std::size_t noLongerSet = used.Way & ~GetWayOfSetting(actor);
+  if (noLongerSet % (std::size_t{ 1 } << NumberOfGroups) != 0 &&
     GetShaderTime(mapper) > static_cast<double>(actor->GetProperty()->GetMTime()))
   {
     HasOtherShaders(mapper, Parameters, true);

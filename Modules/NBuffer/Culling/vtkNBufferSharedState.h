@@ -12,7 +12,9 @@
  *
  * If all actors use an object in the same way, the order of drawing does not matter. If not, the
  * image depends on the order of drawing and on which actors are drawn at all. Therefore none of the
- * actors that use the object may be held back or left out.
+ * actors that use the object may be held back or left out. If the object is a mapper, no other prop
+ * may be held back either in a frame in which one of these actors has changed: an actor that is
+ * drawn once more for equal depth would find other shaders.
  *
  * A mapper draws an actor by the shaders of another one, but sets only the parameters that the
  * actor's own settings need: textures, or those of edges. What the shaders read otherwise is what
@@ -28,7 +30,6 @@
 
 #include <array>
 #include <cstddef>
-#include <tuple>
 #include <unordered_map>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -86,9 +87,10 @@ public:
   /// Not known, and false, for composite data and glyphs.
   static bool HasNewShaders(vtkMapper* mapper);
 
-  /// Mark the mapper of an actor if it goes on with its shaders although the actor sets other
-  /// parameters than `before`. That is so if only a texture or a property is exchanged, and the
-  /// property has not been modified since the shaders were made. Does nothing for composite data.
+  /// Mark the mapper of an actor if it goes on with its shaders although the actor no longer sets
+  /// all parameters that it set `before`. That is so if the actor has lost its texture or has got
+  /// a property that was last modified before the shaders were made. Does nothing for composite
+  /// data.
   static void MarkIfShadersStay(vtkActor* actor, const Uses& before);
 
 private:
