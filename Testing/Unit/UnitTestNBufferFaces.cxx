@@ -59,9 +59,10 @@ struct PropOfFaces
     this->Faces.Set(this->OfProps[0], { this->Mesh }, this->Box);
   }
 
-  bool MayBeInFront(const vtkNBufferProjection& projection, double clearance) const
+  bool MayBeInFront(const vtkNBufferProjection& projection, double clearance,
+    const vtkNBufferSampleSquares& samples = { { glm::dvec2(0.0) }, 0.0 }) const
   {
-    const vtkNBufferFaceTest test(projection, 0.0);
+    const vtkNBufferFaceTest test(projection, samples);
     return std::any_of(this->Faces.GetPieces().begin(), this->Faces.GetPieces().end(),
       [&](const vtkNBufferFaces::Piece& piece)
       { return test.MayBeInFront(this->Faces, piece, clearance); });
@@ -193,6 +194,7 @@ TEST(NBufferFaces, ChangedPropsLeaveNothingBehind)
 TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
 {
   const vtkNBufferProjection view = MakeViewOfFaces();
+  vtkNBufferSampleSquares samples = { { glm::dvec2(0.0) }, 0.0 };
   const auto isInFront = [&](double row, double slope)
   {
     const double y = -1000.0 * (row + 0.5 - 0.5 * FacesHeight) / PixelsPerSlope;
@@ -200,7 +202,7 @@ TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
     // Over the way from 1000 to 1010, the plane rises towards the eye or away from it.
     AddFacesOfQuad({ -5.0, -y, -1000.0 }, { 10.0, 0.0, 0.0 },
       { 0.0, (-y / 1000.0 + slope) * 10.0, -10.0 }, triangles);
-    return PropOfFaces(triangles).MayBeInFront(view, 0.1);
+    return PropOfFaces(triangles).MayBeInFront(view, 0.1, samples);
   };
   EXPECT_TRUE(isInFront(150.0, 1e-7));
   EXPECT_TRUE(isInFront(80.0, -1e-7));
@@ -208,6 +210,11 @@ TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
   EXPECT_FALSE(isInFront(150.0, -0.1)) << "not edge-on";
   EXPECT_FALSE(isInFront(150.01, 1e-7)) << "between the middles of pixels";
   EXPECT_FALSE(isInFront(150.5, 1e-7)) << "between the middles of pixels";
+  samples.Middles = { { -0.3, 0.25 }, { 0.3, -0.25 } };
+  EXPECT_TRUE(isInFront(150.25, 1e-7));
+  EXPECT_TRUE(isInFront(149.75, 1e-7));
+  EXPECT_FALSE(isInFront(150.3, 1e-7)) << "between two rows of samples";
+  EXPECT_FALSE(isInFront(150.0, 1e-7)) << "between two rows of samples";
 }
 
 // The clearance says how steep a triangle may be.

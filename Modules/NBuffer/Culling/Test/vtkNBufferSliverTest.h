@@ -72,6 +72,7 @@
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferSampleSquares.h"
 
 #include <array>
 #include <cstddef>
@@ -83,13 +84,12 @@ class VTKNBUFFER_EXPORT vtkNBufferSliverTest
 {
 public:
   /**
-   * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
-   * largest orders of depth of the projection's viewport. `depth` is the image of orders that they
-   * were made from, or nullptr if it is not at hand, and `sampleDistance` is how far a sample may
-   * be from the middle of its pixel in x and in y: see vtkNBufferPixelTest.
+   * All arguments are kept by reference and must outlive the test. The levels hold the largest
+   * orders of depth of the projection's viewport. `depth` is the image of orders that they were
+   * made from, or nullptr if it is not at hand.
    */
   vtkNBufferSliverTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
-    const float* depth, double sampleDistance);
+    const float* depth, const vtkNBufferSampleSquares& samples);
 
   /**
    * False only if none of the triangles `begin` to `end` - 1 of a mesh can be seen, given that its
@@ -127,13 +127,17 @@ private:
   /// x and in y, before they are snapped.
   bool MayBeSeen(const Corners& corners, const glm::dvec2& error, const Errors& errors) const;
 
-  /// Whether one of the samples that a sliver may own may be seen.
+  /// Whether one of the samples that a sliver may own may be seen: of all pixels, and of the one
+  /// with this middle, in which `farthest` is stored.
   bool HasVisibleSample(const Sliver& sliver, const Errors& errors) const;
+  bool HasVisibleSample(
+    const Sliver& sliver, const Errors& errors, const glm::dvec2& middle, double farthest) const;
 
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
   const float* Depth;
-  double SampleDistance;
+  const vtkNBufferSampleSquares& Samples;
+  double SampleDistance; ///< Samples.GetDistance()
 };
 
 VTK_ABI_NAMESPACE_END
