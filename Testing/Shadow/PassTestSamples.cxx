@@ -129,8 +129,9 @@ PictureComparison ComparePicture(const Stage& stage, vtkLight* light)
       kinds[i] |= sample == OracleSample::Lit ? 1 : sample == OracleSample::Shadowed ? 2 : 0;
     }
   }
-  // A fragment's colour is rounded to eight bits.
-  constexpr double rounding = 0.501 / 255.0;
+  // A fragment's colour is rounded to eight bits. Before that it is calculated in floats, whose
+  // error OpenGL does not bound: on an NVIDIA H200 it is 0.003 steps.
+  constexpr double rounding = 0.51 / 255.0;
   PictureComparison result;
   for (std::size_t i = 0; i < pixels; ++i)
   {

@@ -17,6 +17,8 @@ namespace
 {
 constexpr int FacesWidth = 320;
 constexpr int FacesHeight = 240;
+/// One sample in the middle of each pixel.
+const vtkNBufferSampleSquares OneSampleOfFaces = { { glm::dvec2(0.0) }, 0.0 };
 const std::array<double, 16> FacesToWorld = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
 
 using FaceTriangle = std::array<glm::dvec3, 3>;
@@ -60,7 +62,7 @@ struct PropOfFaces
   }
 
   bool MayBeInFront(const vtkNBufferProjection& projection, double clearance,
-    const vtkNBufferSampleSquares& samples = { { glm::dvec2(0.0) }, 0.0 }) const
+    const vtkNBufferSampleSquares& samples = OneSampleOfFaces) const
   {
     const vtkNBufferFaceTest test(projection, samples);
     return std::any_of(this->Faces.GetPieces().begin(), this->Faces.GetPieces().end(),
@@ -194,7 +196,7 @@ TEST(NBufferFaces, ChangedPropsLeaveNothingBehind)
 TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
 {
   const vtkNBufferProjection view = MakeViewOfFaces();
-  vtkNBufferSampleSquares samples = { { glm::dvec2(0.0) }, 0.0 };
+  vtkNBufferSampleSquares samples = OneSampleOfFaces;
   const auto isInFront = [&](double row, double slope)
   {
     const double y = -1000.0 * (row + 0.5 - 0.5 * FacesHeight) / PixelsPerSlope;
@@ -285,7 +287,7 @@ TEST(NBufferFaceTest, NeverRulesOutWhatTheSliverTestKeeps)
       static_cast<float>(screen.Nearest - clearance - ofCorners));
     vtkNBufferLevels levels;
     levels.BuildBase(depth.data(), FacesWidth, FacesHeight, 4, vtkNBufferExtremum::Maximum);
-    const bool isSeen = vtkNBufferSliverTest(view, levels, depth.data(), 0.0)
+    const bool isSeen = vtkNBufferSliverTest(view, levels, depth.data(), OneSampleOfFaces)
                           .MayBeSeen(*prop.Mesh.Mesh, 0, 1, FacesToWorld.data(), prop.Box, screen);
     const bool isKept = prop.MayBeInFront(view, clearance);
     seen += isSeen ? 1 : 0;
