@@ -71,6 +71,11 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   bool DivideInBackground = true;
   ///@}
 
+  /// Whether the times of a few frames decide if props are divided (vtkNBufferUnitTrial): 0 means
+  /// that they always are, 1 that times decide on graphics devices, but not on software renderers,
+  /// where it always pays, and 2 that times decide everywhere.
+  int TimeUnits = 1;
+
   /// Whether the triangles of a prop whose box neither the levels nor the pixels hide are compared
   /// with the pixels one by one, if they are few (vtkNBufferMeshes::FindSmall). Requires
   /// TestPixels.

@@ -81,12 +81,13 @@ struct ComparisonOptions
   int Backend = vtkNBufferCuller::Auto;
   /// With the default RoundSize most of these small scenes would be drawn before the first test.
   /// With BackOff the culler would often not test, because tests hide little in small scenes and
-  /// after large moves of the camera.
+  /// after large moves of the camera. With TimeUnits times would decide what is drawn.
   vtkNBufferTuning Tuning = []
   {
     vtkNBufferTuning tuning;
     tuning.RoundSize = 12;
     tuning.BackOff = false;
+    tuning.TimeUnits = 0;
     return tuning;
   }();
   /// Whether the messages of VTK are added to Comparison::Messages instead of failing the test.

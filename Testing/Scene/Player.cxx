@@ -226,6 +226,7 @@ void Player::AddCullers()
       Tune(culler, &vtkNBufferTuning::DivideAfter, 0);
       // The same units in the same frame, whenever the scenario is run.
       Tune(culler, &vtkNBufferTuning::DivideInBackground, false);
+      Tune(culler, &vtkNBufferTuning::TimeUnits, 0);
       Tune(culler, &vtkNBufferTuning::ReuseWhenStill, settings.ReuseWhenStill);
       Tune(culler, &vtkNBufferTuning::BackOff, settings.BackOff);
       Tune(culler, &vtkNBufferTuning::TakeOverFrustumCulling,

@@ -6,6 +6,7 @@
 #include "ProjectedBox.h"
 #include "vtkNBufferCullingPolicy.h"
 #include "vtkNBufferTieOrder.h"
+#include "vtkNBufferUnitTrial.h"
 
 #include <gtest/gtest.h>
 
@@ -291,6 +292,78 @@ TEST(NBufferBackOff, RestsAndProbes)
   EXPECT_FALSE(backOff.CountPausedFrame()) << "a probe that hides much ends it";
   backOff.Learn(0, 100);
   EXPECT_FALSE(backOff.CountPausedFrame()) << "and all begins anew";
+}
+
+namespace
+{
+/// Counts frames whose times in milliseconds are those of the two ways until a contest ends.
+/// Returns how many frames were drawn in the second way.
+int RunContest(vtkNBufferContest& contest, double first, double second)
+{
+  int ofSecond = 0;
+  const int frames = vtkNBufferContest::SettlingFrames + 2 * vtkNBufferContest::FramesOfEach;
+  for (int i = 0; i < frames; ++i)
+  {
+    EXPECT_EQ(contest.IsTimed(), i >= vtkNBufferContest::SettlingFrames);
+    ofSecond += !contest.UsesFirst();
+    contest.CountFrame(contest.UsesFirst() ? first : second);
+  }
+  return ofSecond;
+}
+
+/// Counts the frames of a term, all of which are drawn in one way.
+int RunTerm(vtkNBufferContest& contest, bool usesFirst)
+{
+  int frames = 0;
+  for (; contest.UsesFirst() == usesFirst && frames < 2 * vtkNBufferContest::LongestTerm; ++frames)
+  {
+    EXPECT_FALSE(contest.IsTimed());
+    contest.CountFrame(0.0);
+  }
+  return frames;
+}
+}
+
+// Hazard: the slower way wins, a contest takes more frames than it needs, or the first contest
+// decides for ever.
+TEST(NBufferContest, TheFasterWayWinsForATerm)
+{
+  vtkNBufferContest contest;
+  for (int term = vtkNBufferContest::ShortestTerm; term <= vtkNBufferContest::LongestTerm;
+       term *= 2)
+  {
+    EXPECT_EQ(RunContest(contest, 9.0, 2.0), vtkNBufferContest::FramesOfEach);
+    EXPECT_EQ(RunTerm(contest, false), term);
+  }
+  RunContest(contest, 9.0, 2.0);
+  EXPECT_EQ(RunTerm(contest, false), vtkNBufferContest::LongestTerm);
+  EXPECT_EQ(RunContest(contest, 2.0, 9.0), vtkNBufferContest::FramesOfEach);
+  // The frames that settle the next contest are drawn in the first way, too.
+  EXPECT_TRUE(contest.UsesFirst());
+  for (int i = 0; i < vtkNBufferContest::ShortestTerm; ++i)
+  {
+    EXPECT_FALSE(contest.IsTimed());
+    contest.CountFrame(0.0);
+  }
+  EXPECT_EQ(RunContest(contest, 2.0, 2.0), vtkNBufferContest::FramesOfEach);
+  EXPECT_TRUE(contest.UsesFirst()) << "with equal times";
+}
+
+// Hazard: one frame that something else has made slow decides.
+TEST(NBufferContest, OneSlowFrameDoesNotCount)
+{
+  vtkNBufferContest contest;
+  for (int i = 0; i < vtkNBufferContest::SettlingFrames; ++i)
+  {
+    contest.CountFrame(1000.0);
+  }
+  for (const double first : { 2.0, 90.0, 3.0 })
+  {
+    contest.CountFrame(first);
+    contest.CountFrame(4.0);
+  }
+  EXPECT_FALSE(contest.IsTimed());
+  EXPECT_TRUE(contest.UsesFirst());
 }
 
 // Hazard: with an empty frustum there is a division by 0.

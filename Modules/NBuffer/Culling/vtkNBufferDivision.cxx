@@ -4,6 +4,7 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
+#include "vtkNBufferGL.h"
 #include "vtkNBufferLargeProps.h"
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferTieQuery.h"
@@ -11,6 +12,7 @@
 
 #include "vtkActor.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -63,12 +65,14 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
       this->Entries.insert(std::lower_bound(this->Entries.begin(), this->Entries.end(), i,
                              [](const Entry& other, int place) { return other.Place < place; }),
         std::move(entry));
+      this->Trial->Restart();
     }
   }
 }
 
-void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings)
+void vtkNBufferDivision::Update(vtkRenderer* renderer, const vtkNBufferSettings& settings)
 {
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Postponed = -1;
   const int minimum = settings.DivideProps ? settings.MinimumNumberOfPrimitives : VTK_INT_MAX;
   vtkSmartPointer<vtkNBufferDrawPass> pass = vtkNBufferDrawPass::Get(window);
@@ -128,7 +132,7 @@ void vtkNBufferDivision::SetView(const vtkNBufferViewSetup& view)
 }
 
 void vtkNBufferDivision::Classify(
-  const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts)
+  vtkRenderer* renderer, const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts)
 {
   for (Entry& entry : this->Entries)
   {
@@ -136,28 +140,45 @@ void vtkNBufferDivision::Classify(
     entry.IsHeldBack = state.Verdict == vtkNBufferVerdict::Untested && !state.WasVisible;
     // A prop of instances or splats is no candidate. It keeps its place, and only its units are
     // tested.
-    const bool isKept = state.Verdict == vtkNBufferVerdict::NearPlane ||
+    entry.IsKept = state.Verdict == vtkNBufferVerdict::NearPlane ||
       state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
       (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
     const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent &&
       (state.Placement != vtkNBufferPlacement::Outside ||
         !this->Props.GetCandidate(entry.Place).HasPlacement());
-    const bool isTested = (entry.IsHeldBack || isKept || isTranslucent) && entry.Prop->IsReady() &&
-      !(settings.BackOff && entry.BackOff.CountPausedFrame());
+    const bool isTested = (entry.IsHeldBack || entry.IsKept || isTranslucent) &&
+      entry.Prop->IsReady() && !(settings.BackOff && entry.BackOff.CountPausedFrame());
     entry.IsActive = isTested && !isTranslucent;
     entry.IsPending = isTested && isTranslucent;
-    if (isTested)
+  }
+  if (!this->DrawsUnits(renderer, settings))
+  {
+    this->Reset();
+    return;
+  }
+  for (Entry& entry : this->Entries)
+  {
+    if (entry.IsActive || entry.IsPending)
     {
       entry.Prop->FindKept(entry.Projection);
       const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
       const int inside = units.Units - units.Outside;
-      const int kept = isKept ? units.Kept : 0;
+      const int kept = entry.IsKept ? units.Kept : 0;
       counts.Candidates += units.Units;
       counts.Inside += inside;
       counts.Kept += kept;
-      (isTranslucent ? counts.Translucent : counts.HeldBack) += inside - kept;
+      (entry.IsPending ? counts.Translucent : counts.HeldBack) += inside - kept;
     }
   }
+}
+
+bool vtkNBufferDivision::DrawsUnits(vtkRenderer* renderer, const vtkNBufferSettings& settings)
+{
+  const bool isAnyTested = std::any_of(this->Entries.begin(), this->Entries.end(),
+    [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
+  const bool isOnTrial = isAnyTested && !settings.Shared &&
+    (settings.TimeUnits == 2 || (settings.TimeUnits == 1 && !vtkNBufferGL::GetSoftwareRenderer()));
+  return !isOnTrial || this->Trial->BeginFrame(renderer);
 }
 
 int vtkNBufferDivision::CountTranslucentByUnits() const

@@ -24,6 +24,8 @@
 #include "vtkNBufferDividedProp.h"
 #include "vtkNBufferDrawPass.h"
 #include "vtkNBufferTieOrder.h"
+#include "vtkNBufferUnitTrial.h"
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -33,7 +35,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
-class vtkOpenGLRenderWindow;
 class vtkRenderer;
 struct vtkNBufferSettings;
 struct vtkNBufferStatistics;
@@ -47,16 +48,21 @@ public:
     : Props(props)
   {
   }
+  ~vtkNBufferDivision() { this->Trial->Detach(); }
+  vtkNBufferDivision(const vtkNBufferDivision&) = delete;
+  void operator=(const vtkNBufferDivision&) = delete;
 
   /// Begin a frame, after the candidates have been brought up to date.
-  void Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings);
+  void Update(vtkRenderer* renderer, const vtkNBufferSettings& settings);
 
   /// Set the view of the frame. To be called again if the framebuffer turns out to have another
   /// depth format.
   void SetView(const vtkNBufferViewSetup& view);
 
-  /// Find the units that are drawn first, and add all units in the frustum to the counts.
-  void Classify(const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts);
+  /// Decide whether units are drawn in this frame, find those that are drawn first, and add all
+  /// units in the frustum to the counts.
+  void Classify(
+    vtkRenderer* renderer, const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts);
 
   /// The number of translucent props of which the units are tested, but not the whole box, because
   /// it reaches the near plane or there is none.
@@ -147,6 +153,7 @@ private:
     vtkNBufferBackOff BackOff;
     bool IsActive = false; ///< It is drawn unit by unit.
     bool IsHeldBack = false;
+    bool IsKept = false;    ///< The renderer draws it before the test.
     bool IsPending = false; ///< Its units are to be tested before the translucent stage.
 
     /// Whether Draw() draws only some units of the prop, or reads what VTK draws of it.
@@ -155,11 +162,13 @@ private:
 
   Entry* Find(int place);
   void FindLarge(const std::vector<int>& places);
+  bool DrawsUnits(vtkRenderer* renderer, const vtkNBufferSettings& settings);
   vtkNBufferCandidateList& Props;
   vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< The pass of the window.
-  std::vector<Entry> Entries;               ///< In the order of their places.
-  int ListNumber = -1;       ///< vtkNBufferCandidateList::GetListNumber() of the places.
-  int Minimum = VTK_INT_MAX; ///< A prop with at least this many cells is large.
+  vtkNew<vtkNBufferUnitTrial> Trial;
+  std::vector<Entry> Entries; ///< In the order of their places.
+  int ListNumber = -1;        ///< vtkNBufferCandidateList::GetListNumber() of the places.
+  int Minimum = VTK_INT_MAX;  ///< A prop with at least this many cells is large.
   int Postponed = -1;
 };
 

@@ -68,8 +68,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Setup.Apply(this->Projection);
   }
   this->Statistics.Refreshed = this->Props.Refresh();
-  this->Division.Update(
-    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->Settings);
+  this->Division.Update(renderer, this->Settings);
   this->Statistics.RefreshTime = part.Restart();
 
   const bool isSame = this->Stillness.BeginFrame(renderer, settings,
@@ -81,13 +80,13 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   bool reuses = frozen || mayReuse;
   if (!reuses)
   {
-    this->Classify();
+    this->Classify(renderer);
   }
   const bool repeats = mayReuse || (isSame && before == Phase::Untested && this->State == before);
   if (settings.Shared && !settings.Shared->Poll(!repeats) && reuses && !frozen)
   {
     reuses = false;
-    this->Classify();
+    this->Classify(renderer);
   }
   if (reuses)
   {
@@ -111,22 +110,22 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   return total;
 }
 
-void vtkNBufferView::Classify()
+void vtkNBufferView::Classify(vtkRenderer* renderer)
 {
   this->Props.Project(this->Projection);
   this->Division.SetView(this->Setup);
-  this->Statistics.Decision = this->Divide();
+  this->Statistics.Decision = this->Divide(renderer);
   this->State = this->Statistics.Decision == vtkNBufferDecision::Culled ? Phase::AwaitingProxy
                                                                         : Phase::Untested;
 }
 
-vtkNBufferDecision vtkNBufferView::Divide()
+vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
 {
   const vtkNBufferCompatibility::DrawingSettings& drawing = this->Stillness.GetDrawing();
   vtkNBufferFrustumCounts counts = this->Partition.Classify();
   counts.Blending = this->Props.HasBlending(drawing.SmoothLines, drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
-  this->Division.Classify(this->Settings, counts);
+  this->Division.Classify(renderer, this->Settings, counts);
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
     this->Settings.MinimumNumberOfCandidates, this->Settings.BackOff ? &this->BackOff : nullptr);
   if (decision != vtkNBufferDecision::Culled)

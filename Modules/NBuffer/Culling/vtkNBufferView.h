@@ -106,8 +106,8 @@ private:
 
   ///@{
   /// The parts of Cull().
-  void Classify();
-  vtkNBufferDecision Divide();
+  void Classify(vtkRenderer* renderer);
+  vtkNBufferDecision Divide(vtkRenderer* renderer);
   void ResetStatistics();
   ///@}
 

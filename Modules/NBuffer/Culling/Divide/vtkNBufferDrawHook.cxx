@@ -107,20 +107,20 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
     buffer.Ranges = units.GetRanges(marked);
     return;
   }
-  std::vector<unsigned int> part;
-  units.GetIndices(marked, indices, part);
+  units.GetIndices(marked, indices, this->Part);
   if (this->Read.AreInstances)
   {
-    this->Instances.Upload(list, part);
+    this->Instances.Upload(list, this->Part);
   }
   else if (this->Read.HasBlocks())
   {
-    this->Blocks.SetList(list, part);
+    this->Blocks.SetList(list, this->Part);
   }
   else
   {
-    const bool isUploaded = buffer.Object->Upload(part, vtkOpenGLBufferObject::ElementArrayBuffer);
-    buffer.Object->IndexCount = isUploaded ? part.size() : 0;
+    const bool isUploaded =
+      buffer.Object->Upload(this->Part, vtkOpenGLBufferObject::ElementArrayBuffer);
+    buffer.Object->IndexCount = isUploaded ? this->Part.size() : 0;
   }
 }
 

@@ -164,7 +164,8 @@ private:
   vtkSmartPointer<vtkNBufferDrawPass> Pass;
   std::unique_ptr<Callback> Resources;
   std::array<Buffer, NumberOfLists> Buffers;
-  vtkActor* Actor = nullptr; ///< Only compared; set while a Draw exists.
+  std::vector<unsigned int> Part; ///< SetList() uses this memory again and again.
+  vtkActor* Actor = nullptr;      ///< Only compared; set while a Draw exists.
   List Current = Drawn;
   bool Reads = false;
   bool Stale = false;

@@ -294,14 +294,19 @@ void vtkNBufferUnits::VisitRanges(
 void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,
   const std::vector<unsigned int>& mesh, std::vector<unsigned int>& indices) const
 {
-  indices.clear();
+  // All units but the last have as many primitives.
+  const auto units = static_cast<std::size_t>(std::count(drawn.begin(), drawn.end(), 1));
+  indices.resize(units * this->UnitSize * this->Corners);
+  std::size_t size = 0;
   this->VisitRanges(drawn,
     [&](std::size_t begin, std::size_t end)
     {
-      indices.insert(indices.end(),
-        mesh.begin() + static_cast<std::ptrdiff_t>(this->Corners * begin),
-        mesh.begin() + static_cast<std::ptrdiff_t>(this->Corners * end));
+      for (std::size_t i = this->Corners * begin; i < this->Corners * end; ++i)
+      {
+        indices[size++] = mesh[i];
+      }
     });
+  indices.resize(size);
 }
 
 std::vector<vtkNBufferUnits::Range> vtkNBufferUnits::GetRanges(

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferUnitTrial.h
+ * @brief Finds out by the times of frames whether drawing large props unit by unit is faster.
+ *
+ * What the units of a mesh cost is work of the calling thread: testing them, and copying the
+ * indices of those that are drawn to the device. What they save is work of the device. A software
+ * renderer always takes longer to draw a hidden triangle than its share of this work. A graphics
+ * device may draw a mesh of a million triangles in less time.
+ */
+#ifndef vtkNBufferUnitTrial_h
+#define vtkNBufferUnitTrial_h
+
+#include "vtkNBufferClock.h"
+#include "vtkNBufferModule.h" // For export macro
+
+#include "vtkCommand.h"
+#include "vtkWeakPointer.h"
+
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkRenderer;
+
+/**
+ * Two ways of drawing that take turns until their times have been compared. A contest is a sequence
+ * of frames, of which the first ones, in the first way, are not timed, because the first way builds
+ * on what it knows from the frames before. The faster way is then used for a term of many frames,
+ * after which the next contest begins. If the same way wins again, its term is twice as long. No
+ * OpenGL.
+ */
+class VTKNBUFFER_EXPORT vtkNBufferContest
+{
+public:
+  static constexpr int SettlingFrames = 3;
+  static constexpr int FramesOfEach = 3;
+  ///@{
+  /// The shortest and the longest term, in frames.
+  static constexpr int ShortestTerm = 256;
+  static constexpr int LongestTerm = 4096;
+  ///@}
+
+  /// Whether the next frame is to be drawn in the first way.
+  bool UsesFirst() const;
+
+  /// Whether the next frame is to be timed.
+  bool IsTimed() const;
+
+  /// Count a frame. `milliseconds` is its time; it is only used if the frame was to be timed.
+  void CountFrame(double milliseconds);
+
+private:
+  /// Times are compared by the shortest of each way, because nothing makes a frame faster than it
+  /// is, but much makes it slower.
+  double First = std::numeric_limits<double>::infinity();
+  double Second = std::numeric_limits<double>::infinity();
+  int Frame = 0; ///< Counts the frames of the contest.
+  int Term = 0;  ///< The frames left of the term.
+  int LastTerm = 0;
+  bool FirstIsFaster = true;
+};
+
+/// A contest between frames with units and without. It waits for the device before and after each
+/// timed frame, and at no other time.
+class vtkNBufferUnitTrial : public vtkCommand
+{
+public:
+  static vtkNBufferUnitTrial* New() { return new vtkNBufferUnitTrial; }
+  vtkTypeMacro(vtkNBufferUnitTrial, vtkCommand);
+
+  /// Begin a frame in which units may be drawn. Returns whether they are to be drawn. The context
+  /// of the renderer's window must be current.
+  bool BeginFrame(vtkRenderer* renderer);
+
+  /// Forget all times.
+  void Restart() { this->Contest = {}; }
+
+  /// Stop observing the renderer.
+  void Detach();
+
+  /// Called by the renderer at the end of a frame.
+  void Execute(vtkObject* caller, unsigned long event, void* data) override;
+
+protected:
+  vtkNBufferUnitTrial() = default;
+  ~vtkNBufferUnitTrial() override = default;
+
+private:
+  vtkNBufferContest Contest;
+  vtkNBufferClock Clock;
+  bool IsTiming = false;
+  vtkWeakPointer<vtkRenderer> Observed; ///< It owns the trial, too.
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
