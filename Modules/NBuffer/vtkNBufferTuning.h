@@ -73,7 +73,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
 
   /// Whether the times of a few frames decide if props are divided (vtkNBufferUnitTrial): 0 means
   /// that they always are, 1 that times decide on graphics devices, but not on software renderers,
-  /// where it always pays, and 2 that times decide everywhere.
+  /// where that is always worth it, and 2 that times decide everywhere.
   int TimeUnits = 1;
 
   /// Whether the triangles of a prop whose box neither the levels nor the pixels hide are compared

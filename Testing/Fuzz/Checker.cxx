@@ -334,12 +334,23 @@ std::string Checker::CheckShadows(bool& strays)
   {
     const ShadowFrame tested = CaptureShadows(this->Tested);
     const ShadowMode mode = this->Tested.GetLights().GetMode();
-    const std::string masks =
-      CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));
-    const std::optional<ShadowStrays> found = masks.empty() || mode == ShadowMode::Clamped
-      ? std::nullopt
-      : FindStrays(
+    std::string masks;
+    std::optional<ShadowStrays> found;
+    try
+    {
+      masks =
+        CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));
+      if (!masks.empty() && mode != ShadowMode::Clamped)
+      {
+        found = FindStrays(
           this->Tested, this->Unclamped, tested, CountsInPortions(this->Reference, this->Tested));
+      }
+    }
+    catch (const std::invalid_argument& error)
+    {
+      masks +=
+        std::string("Masks differ, and rays cannot say which is right. ") + error.what() + "\n";
+    }
     if (found)
     {
       this->Shadows.Strays += found->Seen;

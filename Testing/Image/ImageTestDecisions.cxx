@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When the culler does not test a frame: its decision says so, and it does no work.
 #include "CullerTest.h"
+#include "LargeProps.h"
 #include "Scenes.h"
 #include "Tune.h"
+#include "vtkNBufferUnitTrial.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkGL2PSExporter.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
+#include "vtkSphereSource.h"
 
 #include <cstdio>
 #include <fstream>
@@ -444,5 +448,52 @@ TEST(CullerDecisions, TheRendererKeepsItsProps)
     }
     EXPECT_EQ(comparison.Culled.GetRenderer()->GetNumberOfPropsRendered(),
       comparison.GetStatistics().GetNumberOfPropsDrawn());
+  }
+}
+
+// Hazard: frames that are to be compared are drawn in the same way, or the trial never begins.
+TEST(CullerDecisions, FramesAreTimedWithAndWithoutUnits)
+{
+  ComparisonOptions options = LargeProps::MakeOptions();
+  options.Tuning.TimeUnits = 2;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      vtkNew<vtkSphereSource> sphere;
+      sphere->SetRadius(12.0);
+      sphere->SetThetaResolution(60);
+      sphere->SetPhiResolution(40);
+      sphere->Update();
+      const double white[3] = { 1.0, 1.0, 1.0 };
+      stage.AddActor(sphere->GetOutput(), white);
+      LargeProps::AddWalls(stage);
+    },
+    options);
+  auto draw = [&comparison, frame = 0]() mutable
+  {
+    comparison.Frame(
+      [frame](Stage& stage) { LargeProps::WalkFromOutside(stage.GetRenderer(), frame % 6); });
+    ++frame;
+    return comparison.GetStatistics().Units > 0;
+  };
+  int before = 0;
+  while (!draw())
+  {
+    ASSERT_LT(++before, 10) << "no units";
+  }
+  for (int i = 1; i < vtkNBufferContest::SettlingFrames; ++i)
+  {
+    EXPECT_TRUE(draw()) << i;
+  }
+  for (int i = 0; i < vtkNBufferContest::FramesOfEach; ++i)
+  {
+    EXPECT_TRUE(draw()) << i;
+    EXPECT_FALSE(draw()) << i;
+  }
+  // One of both ways has won.
+  const bool hasUnits = draw();
+  for (int i = 0; i < 10; ++i)
+  {
+    EXPECT_EQ(draw(), hasUnits) << i;
   }
 }

@@ -3,7 +3,6 @@
 // Large props, of which only the units that can be seen are drawn.
 #include "LargeProps.h"
 #include "Scenes.h"
-#include "vtkNBufferUnitTrial.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
@@ -554,40 +553,6 @@ TEST(CullerDivisionSettings, SizeAndSwitch)
 {
   Comparison comparison([](Stage& stage) { stage.AddActor(MakeCity(14), White); }, MakeOptions());
   LargeProps::CompareSwitch(comparison, Walk, (6 * 2 * (14 * 14 + 1) + 7) / 8);
-}
-
-// Hazard: frames that are to be compared are drawn in the same way, or the trial never begins.
-TEST(CullerDivisionSettings, TimesAreTaken)
-{
-  ComparisonOptions options = MakeOptions();
-  options.Tuning.TimeUnits = 2;
-  Comparison comparison([](Stage& stage) { stage.AddActor(MakeCity(14), White); }, options);
-  auto draw = [&comparison, frame = 0]() mutable
-  {
-    comparison.Frame([frame](Stage& stage) { Walk(stage.GetRenderer(), frame % 6); });
-    ++frame;
-    return comparison.GetStatistics().Units > 0;
-  };
-  int before = 0;
-  while (!draw())
-  {
-    ASSERT_LT(++before, 10) << "no units";
-  }
-  for (int i = 1; i < vtkNBufferContest::SettlingFrames; ++i)
-  {
-    EXPECT_TRUE(draw()) << i;
-  }
-  for (int i = 0; i < vtkNBufferContest::FramesOfEach; ++i)
-  {
-    EXPECT_TRUE(draw()) << i;
-    EXPECT_FALSE(draw()) << i;
-  }
-  // One of both ways has won.
-  const bool hasUnits = draw();
-  for (int i = 0; i < 10; ++i)
-  {
-    EXPECT_EQ(draw(), hasUnits) << i;
-  }
 }
 
 // Hazard: a prop of which everything is seen is tested in every frame for nothing.

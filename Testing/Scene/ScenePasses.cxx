@@ -127,11 +127,8 @@ vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows)
     case PassKind::FXAA:
       return AroundSteps<vtkOpenGLFXAAPass>();
     case PassKind::Framebuffer:
-    {
-      vtkNew<vtkFramebufferPass> framebuffer;
-      framebuffer->SetDelegatePass(InSequence({ lights, opaque }));
-      return WithCamera(framebuffer);
-    }
+      // The camera pass, which clears, has to be inside.
+      return AroundSteps<vtkFramebufferPass>();
     case PassKind::Sobel:
       return AroundSteps<vtkSobelGradientMagnitudePass>();
     case PassKind::SSAA:

@@ -286,7 +286,8 @@ TEST_F(PassGlyphs, ChangesAreNoticed)
   EXPECT_EQ(pass->GetStatistics().Casters, 1);
 }
 
-// Hazard: instances cast other shadows than actors with the same places.
+// Hazard: instances cast other shadows than actors with the same places. (Masks may differ where
+// the light does not shine.)
 TEST_F(PassGlyphs, CastAsActorsInTheirPlaces)
 {
   const vtkSmartPointer<vtkPolyData> source = MakeBox({ 0, 0, 0 }, { 0.4, 0.3, 0.2 });
@@ -309,8 +310,7 @@ TEST_F(PassGlyphs, CastAsActorsInTheirPlaces)
     pass->SetMode(mode);
     other->SetMode(mode);
     ExpectMatchesOracle(stage, pass);
-    actors.Window->Render();
-    EXPECT_TRUE(GetMask(stage, pass) == GetMask(actors, other));
+    ExpectMatchesOracle(actors, other);
     EXPECT_EQ(pass->GetStatistics().Casters, other->GetStatistics().Casters);
     EXPECT_EQ(pass->GetStatistics().Verdicts, other->GetStatistics().Verdicts);
   }

@@ -67,6 +67,7 @@ ShadowMask GetMask(vtkShadowVolumeClampPass* pass, vtkLight* light, std::size_t 
 ShadowMask GetMask(
   const Stage& stage, vtkShadowVolumeClampPass* pass, std::size_t light, int sample)
 {
+  stage.MakeCurrent();
   return GetMask(pass, stage.Lights[light], CountPixels(stage.GetRenderer()), sample);
 }
 

@@ -107,20 +107,20 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
     buffer.Ranges = units.GetRanges(marked);
     return;
   }
-  units.GetIndices(marked, indices, this->Part);
+  units.GetIndices(marked, indices, buffer.Indices);
   if (this->Read.AreInstances)
   {
-    this->Instances.Upload(list, this->Part);
+    this->Instances.Upload(list, buffer.Indices);
   }
   else if (this->Read.HasBlocks())
   {
-    this->Blocks.SetList(list, this->Part);
+    this->Blocks.SetList(list, buffer.Indices);
   }
   else
   {
     const bool isUploaded =
-      buffer.Object->Upload(this->Part, vtkOpenGLBufferObject::ElementArrayBuffer);
-    buffer.Object->IndexCount = isUploaded ? this->Part.size() : 0;
+      buffer.Object->Upload(buffer.Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
+    buffer.Object->IndexCount = isUploaded ? buffer.Indices.size() : 0;
   }
 }
 

@@ -150,6 +150,7 @@ private:
     vtkNew<vtkOpenGLIndexBufferObject> Object;
     std::vector<unsigned char> Marked;          ///< The units of which the list consists.
     std::vector<vtkNBufferUnits::Range> Ranges; ///< The list, if primitives are numbered.
+    std::vector<unsigned int> Indices;          ///< Only SetList() uses it, again and again.
   };
 
   void BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop);
@@ -164,8 +165,7 @@ private:
   vtkSmartPointer<vtkNBufferDrawPass> Pass;
   std::unique_ptr<Callback> Resources;
   std::array<Buffer, NumberOfLists> Buffers;
-  std::vector<unsigned int> Part; ///< SetList() uses this memory again and again.
-  vtkActor* Actor = nullptr;      ///< Only compared; set while a Draw exists.
+  vtkActor* Actor = nullptr; ///< Only compared; set while a Draw exists.
   List Current = Drawn;
   bool Reads = false;
   bool Stale = false;

@@ -251,6 +251,24 @@ std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives() const
   return units;
 }
 
+namespace
+{
+/// The number of the lowest bit that is 1; there must be one.
+std::size_t FindLowestBit(std::uint64_t bits)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  return static_cast<std::size_t>(__builtin_ctzll(bits));
+#else
+  std::size_t number = 0;
+  for (; !(bits & 1U); bits >>= 1)
+  {
+    ++number;
+  }
+  return number;
+#endif
+}
+}
+
 template <typename Function>
 void vtkNBufferUnits::VisitRanges(
   const std::vector<unsigned char>& drawn, const Function& visit) const
@@ -280,13 +298,10 @@ void vtkNBufferUnits::VisitRanges(
   }
   for (std::size_t word = 0; word < marked.size(); ++word)
   {
-    std::size_t primitive = word * bits;
-    for (std::uint64_t left = marked[word]; left != 0; left >>= 1, ++primitive)
+    for (std::uint64_t left = marked[word]; left != 0; left &= left - 1)
     {
-      if (left & 1U)
-      {
-        visit(primitive, primitive + 1);
-      }
+      const std::size_t primitive = word * bits + FindLowestBit(left);
+      visit(primitive, primitive + 1);
     }
   }
 }
