@@ -17,8 +17,6 @@ namespace
 {
 constexpr int FacesWidth = 320;
 constexpr int FacesHeight = 240;
-/// One sample in the middle of each pixel.
-const vtkNBufferSampleSquares OneSampleOfFaces = { { glm::dvec2(0.0) }, 0.0 };
 const std::array<double, 16> FacesToWorld = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
 
 using FaceTriangle = std::array<glm::dvec3, 3>;
@@ -61,10 +59,9 @@ struct PropOfFaces
     this->Faces.Set(this->OfProps[0], { this->Mesh }, this->Box);
   }
 
-  bool MayBeInFront(const vtkNBufferProjection& projection, double clearance,
-    const vtkNBufferSampleSquares& samples = OneSampleOfFaces) const
+  bool MayBeInFront(const vtkNBufferProjection& projection, double clearance) const
   {
-    const vtkNBufferFaceTest test(projection, samples);
+    const vtkNBufferFaceTest test(projection, 0.0);
     return std::any_of(this->Faces.GetPieces().begin(), this->Faces.GetPieces().end(),
       [&](const vtkNBufferFaces::Piece& piece)
       { return test.MayBeInFront(this->Faces, piece, clearance); });
@@ -196,7 +193,6 @@ TEST(NBufferFaces, ChangedPropsLeaveNothingBehind)
 TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
 {
   const vtkNBufferProjection view = MakeViewOfFaces();
-  vtkNBufferSampleSquares samples = OneSampleOfFaces;
   const auto isInFront = [&](double row, double slope)
   {
     const double y = -1000.0 * (row + 0.5 - 0.5 * FacesHeight) / PixelsPerSlope;
@@ -204,7 +200,7 @@ TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
     // Over the way from 1000 to 1010, the plane rises towards the eye or away from it.
     AddFacesOfQuad({ -5.0, -y, -1000.0 }, { 10.0, 0.0, 0.0 },
       { 0.0, (-y / 1000.0 + slope) * 10.0, -10.0 }, triangles);
-    return PropOfFaces(triangles).MayBeInFront(view, 0.1, samples);
+    return PropOfFaces(triangles).MayBeInFront(view, 0.1);
   };
   EXPECT_TRUE(isInFront(150.0, 1e-7));
   EXPECT_TRUE(isInFront(80.0, -1e-7));
@@ -212,11 +208,6 @@ TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
   EXPECT_FALSE(isInFront(150.0, -0.1)) << "not edge-on";
   EXPECT_FALSE(isInFront(150.01, 1e-7)) << "between the middles of pixels";
   EXPECT_FALSE(isInFront(150.5, 1e-7)) << "between the middles of pixels";
-  samples.Middles = { { -0.3, 0.25 }, { 0.3, -0.25 } };
-  EXPECT_TRUE(isInFront(150.25, 1e-7));
-  EXPECT_TRUE(isInFront(149.75, 1e-7));
-  EXPECT_FALSE(isInFront(150.3, 1e-7)) << "between two rows of samples";
-  EXPECT_FALSE(isInFront(150.0, 1e-7)) << "between two rows of samples";
 }
 
 // The clearance says how steep a triangle may be.
@@ -287,7 +278,7 @@ TEST(NBufferFaceTest, NeverRulesOutWhatTheSliverTestKeeps)
       static_cast<float>(screen.Nearest - clearance - ofCorners));
     vtkNBufferLevels levels;
     levels.BuildBase(depth.data(), FacesWidth, FacesHeight, 4, vtkNBufferExtremum::Maximum);
-    const bool isSeen = vtkNBufferSliverTest(view, levels, depth.data(), OneSampleOfFaces)
+    const bool isSeen = vtkNBufferSliverTest(view, levels, depth.data(), 0.0)
                           .MayBeSeen(*prop.Mesh.Mesh, 0, 1, FacesToWorld.data(), prop.Box, screen);
     const bool isKept = prop.MayBeInFront(view, clearance);
     seen += isSeen ? 1 : 0;

@@ -21,15 +21,16 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
-/// The places of the samples of the framebuffer that is being drawn.
-vtkNBufferSampleSquares GetKnownSamples()
+/// The largest distance, in x or y, of a sample of the framebuffer that is being drawn from the
+/// middle of its pixel, in pixels.
+double GetSampleDistance()
 {
-  vtkNBufferSampleSquares samples = { {}, 0.0 };
+  double distance = 0.0;
   for (const auto& [x, y] : vtkNBufferGL::GetSamplePlaces())
   {
-    samples.Middles.emplace_back(x - 0.5, y - 0.5);
+    distance = std::max({ distance, std::abs(x - 0.5), std::abs(y - 0.5) });
   }
-  return samples;
+  return distance;
 }
 
 /// Set the members that describe a texture with this target. Returns false if the texture has
@@ -52,7 +53,7 @@ bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& sou
     }
     if (isFixed)
     {
-      source.SampleSquares = GetKnownSamples();
+      source.SampleDistance = GetSampleDistance();
     }
     glBindTexture(target, bound);
   }
@@ -100,7 +101,7 @@ bool InspectFramebuffer(
 {
   source.Framebuffer = vtkNBufferGL::GetInteger(GL_DRAW_FRAMEBUFFER_BINDING);
   source.Samples = vtkNBufferGL::GetInteger(GL_SAMPLES);
-  source.SampleSquares.HalfSide = source.Samples > 1 ? 0.5 : 0.0;
+  source.SampleDistance = source.Samples > 1 ? 0.5 : 0.0;
   glGetIntegerv(GL_VIEWPORT, source.Viewport);
   source.Stored = vtkNBufferDepthSource::GetStoredDepth();
 

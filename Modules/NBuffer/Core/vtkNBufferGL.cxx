@@ -148,6 +148,11 @@ SamplePlaces GetSamplePlaces()
   return places;
 }
 
+bool DrawsStraySamples(int samples)
+{
+  return samples <= 1 && GetSoftwareRenderer();
+}
+
 bool KeepsToScissor(int samples)
 {
   return samples <= 1 || !GetSoftwareRenderer();

@@ -82,9 +82,8 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   // A pass may draw opaque props into one sample, and the window then translucent ones into more.
   const bool hasOtherSamples = window->GetMultiSamples() > 1 &&
     source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
-  this->Samples = hasOtherSamples || vtkNBufferGL::CoversTouchedPixels() ? vtkNBufferSampleSquares()
-                                                                         : source.SampleSquares;
-  this->SampleDistance = this->Samples.GetDistance();
+  this->SampleDistance =
+    hasOtherSamples || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : source.SampleDistance;
   for (const std::vector<int>* list : places)
   {
     for (int i : *list)
@@ -245,9 +244,9 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
     return;
   }
   const vtkNBufferClock clock;
-  const vtkNBufferFaceTest faceTest(this->Projection, this->Samples);
+  const vtkNBufferFaceTest faceTest(this->Projection, this->SampleDistance);
   const vtkNBufferSliverTest sliverTest(
-    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->Samples);
+    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->SampleDistance);
   std::vector<Slivers> slivers(tested.size(), Slivers::Hidden);
   auto left = places.begin();
   for (std::size_t n = 0; n < tested.size() && left != places.end(); ++n)
@@ -303,8 +302,9 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
 
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
-  const std::vector<int> tested =
-    this->Settings.TestSlivers && vtkNBufferGL::GetSoftwareRenderer() ? places : std::vector<int>();
+  const bool testsSlivers =
+    this->Settings.TestSlivers && vtkNBufferGL::DrawsStraySamples(this->Source.Samples);
+  const std::vector<int> tested = testsSlivers ? places : std::vector<int>();
   vtkNBufferClock clock;
   vtkNBufferOcclusionTest test(this->Levels, this->SampleDistance);
   this->Props.MarkHidden(test);

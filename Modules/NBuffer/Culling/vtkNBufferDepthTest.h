@@ -135,8 +135,8 @@ private:
   const vtkNBufferSettings& Settings;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferDepthSource Source;
-  vtkNBufferSampleSquares Samples; ///< Where in each pixel a sample may be.
-  double SampleDistance = 0.5;     ///< Samples.GetDistance()
+  /// How far a sample may be from the middle of its pixel in x and in y, in pixels.
+  double SampleDistance = 0.5;
 };
 
 VTK_ABI_NAMESPACE_END

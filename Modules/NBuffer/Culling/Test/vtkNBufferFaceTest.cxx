@@ -16,10 +16,10 @@ double GetSize(const glm::dvec3& vector)
 }
 
 vtkNBufferFaceTest::vtkNBufferFaceTest(
-  const vtkNBufferProjection& projection, const vtkNBufferSampleSquares& samples)
+  const vtkNBufferProjection& projection, double sampleDistance)
   : Projection(projection)
-  , Samples(samples)
   , Errors(projection.GetError().GetTriangleErrors(0.0, 0.0, 0.0))
+  , Distance(0.5 * vtkNBufferBoxError::GridStep + sampleDistance)
   , Half(0.5 * projection.GetWidth(), 0.5 * projection.GetHeight())
 {
   const vtkNBufferProjection::Rows& toClip = projection.GetWorldToClip();
@@ -169,7 +169,7 @@ bool vtkNBufferFaceTest::MayBeInFront(const vtkNBufferFaces::Face& face, const V
     return false;
   }
 
-  // Second, whether the face comes near a row (or a column) of samples in the direction across.
+  // Second, whether the face comes near the middle of a pixel in the direction across.
   const int axis = steps.y >= steps.x ? 1 : 0;
   const int other = 1 - axis;
   const double near = distance * view.OfNearest;
@@ -180,12 +180,7 @@ bool vtkNBufferFaceTest::MayBeInFront(const vtkNBufferFaces::Face& face, const V
   const double reach = (0.5 * std::abs(near - far) + steps[other] * view.Reach[other] +
                          2.0 * tolerance * view.OfNearest) *
       std::abs(ofAxis) +
-    view.Error[axis] + 0.5 * vtkNBufferBoxError::GridStep + this->Samples.HalfSide;
-  return std::any_of(this->Samples.Middles.begin(), this->Samples.Middles.end(),
-    [=](const glm::dvec2& middle)
-    {
-      const double ofMiddle = place - middle[axis];
-      return !(std::ceil(ofMiddle - reach) > ofMiddle + reach);
-    });
+    view.Error[axis] + this->Distance;
+  return !(std::ceil(place - reach) > place + reach);
 }
 VTK_ABI_NAMESPACE_END

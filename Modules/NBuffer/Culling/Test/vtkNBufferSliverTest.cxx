@@ -136,12 +136,11 @@ double vtkNBufferSliverTest::Sliver::GetNearest(
 }
 
 vtkNBufferSliverTest::vtkNBufferSliverTest(const vtkNBufferProjection& projection,
-  const vtkNBufferLevels& levels, const float* depth, const vtkNBufferSampleSquares& samples)
+  const vtkNBufferLevels& levels, const float* depth, double sampleDistance)
   : Projection(projection)
   , Levels(levels)
   , Depth(depth)
-  , Samples(samples)
-  , SampleDistance(samples.GetDistance())
+  , SampleDistance(sampleDistance)
 {
 }
 
@@ -331,24 +330,12 @@ bool vtkNBufferSliverTest::HasVisibleSample(const Sliver& sliver, const Errors& 
         const std::ptrdiff_t place = std::ptrdiff_t{ pixel.y } * pixels.x + pixel.x;
         farthest = std::min<double>(farthest, this->Depth[place]);
       }
-      if (this->HasVisibleSample(sliver, errors, middle, farthest))
+      if (!(sliver.GetNearest(middle, this->SampleDistance, errors) > farthest))
       {
         return true;
       }
     }
   }
   return false;
-}
-
-bool vtkNBufferSliverTest::HasVisibleSample(
-  const Sliver& sliver, const Errors& errors, const glm::dvec2& middle, double farthest) const
-{
-  const double reach = this->Samples.HalfSide;
-  return std::any_of(this->Samples.Middles.begin(), this->Samples.Middles.end(),
-    [&](const glm::dvec2& ofSquare)
-    {
-      const glm::dvec2 place = middle + ofSquare;
-      return sliver.MayOwn(place, reach) && !(sliver.GetNearest(place, reach, errors) > farthest);
-    });
 }
 VTK_ABI_NAMESPACE_END

@@ -72,7 +72,6 @@
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
-#include "vtkNBufferSampleSquares.h"
 
 #include <array>
 #include <cstddef>
@@ -84,12 +83,13 @@ class VTKNBUFFER_EXPORT vtkNBufferSliverTest
 {
 public:
   /**
-   * All arguments are kept by reference and must outlive the test. The levels hold the largest
-   * orders of depth of the projection's viewport. `depth` is the image of orders that they were
-   * made from, or nullptr if it is not at hand.
+   * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
+   * largest orders of depth of the projection's viewport. `depth` is the image of orders that they
+   * were made from, or nullptr if it is not at hand, and `sampleDistance` is how far a sample may
+   * be from the middle of its pixel in x and in y: see vtkNBufferPixelTest.
    */
   vtkNBufferSliverTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
-    const float* depth, const vtkNBufferSampleSquares& samples);
+    const float* depth, double sampleDistance);
 
   /**
    * False only if none of the triangles `begin` to `end` - 1 of a mesh can be seen, given that its
@@ -127,17 +127,13 @@ private:
   /// x and in y, before they are snapped.
   bool MayBeSeen(const Corners& corners, const glm::dvec2& error, const Errors& errors) const;
 
-  /// Whether one of the samples that a sliver may own may be seen: of all pixels, and of the one
-  /// with this middle, in which `farthest` is stored.
+  /// Whether one of the samples that a sliver may own may be seen.
   bool HasVisibleSample(const Sliver& sliver, const Errors& errors) const;
-  bool HasVisibleSample(
-    const Sliver& sliver, const Errors& errors, const glm::dvec2& middle, double farthest) const;
 
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
   const float* Depth;
-  const vtkNBufferSampleSquares& Samples;
-  double SampleDistance; ///< Samples.GetDistance()
+  double SampleDistance;
 };
 
 VTK_ABI_NAMESPACE_END
