@@ -310,7 +310,8 @@ void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,
   const std::vector<unsigned int>& mesh, std::vector<unsigned int>& indices) const
 {
   // All units but the last have as many primitives.
-  const auto units = static_cast<std::size_t>(std::count(drawn.begin(), drawn.end(), 1));
+  const std::size_t units =
+    drawn.size() - static_cast<std::size_t>(std::count(drawn.begin(), drawn.end(), 0));
   indices.resize(units * this->UnitSize * this->Corners);
   std::size_t size = 0;
   this->VisitRanges(drawn,
