@@ -392,10 +392,12 @@ TEST_P(GpuTestNBufferPrecisionSamples, SliversAreForetold)
 {
   constexpr int count = 400;
   const DepthTarget target(GetTargetFormats()[1], Width, Height, true, GetParam());
-  if (!target.IsComplete() || (GetParam() > 1 && !vtkNBufferGL::KeepsColorsWhenRead()))
+  // OpenGL 3.2 requires multisampled depth textures; softpipe has none that can be read.
+  if (GetParam() > 1 && !vtkNBufferGL::KeepsColorsWhenRead())
   {
     GTEST_SKIP() << "This renderer has no multisampled depth textures that can be read.";
   }
+  ASSERT_TRUE(target.IsComplete());
   target.Bind(0, 0, Width, Height);
   const vtkNBufferDepthSource source = this->Inspect();
   TriangleProgram program;
