@@ -11,11 +11,9 @@
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkGL2PSExporter.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
-#include "vtkSphereSource.h"
 
 #include <cstdio>
 #include <fstream>
@@ -456,19 +454,7 @@ TEST(CullerDecisions, FramesAreTimedWithAndWithoutUnits)
 {
   ComparisonOptions options = LargeProps::MakeOptions();
   options.Tuning.TimeUnits = 2;
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      vtkNew<vtkSphereSource> sphere;
-      sphere->SetRadius(12.0);
-      sphere->SetThetaResolution(60);
-      sphere->SetPhiResolution(40);
-      sphere->Update();
-      const double white[3] = { 1.0, 1.0, 1.0 };
-      stage.AddActor(sphere->GetOutput(), white);
-      LargeProps::AddWalls(stage);
-    },
-    options);
+  Comparison comparison(LargeProps::AddSphereAndWalls, options);
   auto draw = [&comparison, frame = 0]() mutable
   {
     comparison.Frame(

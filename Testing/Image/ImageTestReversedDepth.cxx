@@ -22,7 +22,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
-#include "vtkSphereSource.h"
 #include "vtkTextureObject.h"
 #include "vtkTranslucentPass.h"
 
@@ -195,15 +194,7 @@ TEST_P(CullerReversedDepth, DividedProp)
       [&way](Stage& stage)
       {
         Reverse(stage, way);
-        vtkNew<vtkSphereSource> sphere;
-        sphere->SetRadius(12.0);
-        sphere->SetCenter(0.0, 0.0, 4.0);
-        sphere->SetThetaResolution(60);
-        sphere->SetPhiResolution(40);
-        sphere->Update();
-        const double white[3] = { 1.0, 1.0, 1.0 };
-        stage.AddActor(sphere->GetOutput(), white);
-        LargeProps::AddWalls(stage);
+        LargeProps::AddSphereAndWalls(stage);
       },
       options);
     units[isReversed] = LargeProps::CompareWalk(comparison, LargeProps::WalkFromOutside);

@@ -8,8 +8,11 @@
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +43,19 @@ void AddWalls(Stage& stage)
 {
   Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 12.0, 6.0);
   Scenes::AddBox(stage, -8.0, 12.0, 1.0, 10.0, 0.3, 6.0);
+}
+
+void AddSphereAndWalls(Stage& stage)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(12.0);
+  sphere->SetCenter(0.0, 0.0, 4.0);
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(40);
+  sphere->Update();
+  const double white[3] = { 1.0, 1.0, 1.0 };
+  stage.AddActor(sphere->GetOutput(), white);
+  AddWalls(stage);
 }
 
 void AddTallWalls(Stage& stage)

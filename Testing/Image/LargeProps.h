@@ -44,6 +44,8 @@ ComparisonOptions MakeOptionsWithoutDraws(int unitSize = 8);
 void AddWalls(Stage& stage);
 void AddTallWalls(Stage& stage);
 ///@}
+/// Adds a sphere as a large prop, and the walls of AddWalls().
+void AddSphereAndWalls(Stage& stage);
 
 /// Returns random points in a block of 60 x 60 x 8 units.
 vtkSmartPointer<vtkPoints> MakeCloudPoints(int count);
