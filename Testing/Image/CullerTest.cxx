@@ -111,6 +111,8 @@ Comparison::Comparison(const Change& build, const ComparisonOptions& options)
 Comparison::~Comparison()
 {
   this->CheckMessages(TakeMessages());
+  EXPECT_TRUE(this->HasShown || this->Frames == 0 || this->Options.MayBeOfOneColor)
+    << "all pictures of this test are of one color";
 }
 
 void Comparison::AddCuller()
@@ -184,6 +186,11 @@ void Comparison::CompareImages(const std::string& frame)
   const TestScene::Picture expected =
     TestScene::TakePicture(this->Reference.Window, withDepth, source);
   const TestScene::Picture actual = TestScene::TakePicture(this->Culled.Window, withDepth, source);
+  for (std::size_t pixel = 1; pixel < expected.Colors.size() / 4 && !this->HasShown; ++pixel)
+  {
+    const unsigned char* first = expected.GetColor(0);
+    this->HasShown = !std::equal(first, first + 4, expected.GetColor(pixel));
+  }
   const std::string difference = TestScene::FindDifference(expected, actual);
   if (!difference.empty())
   {

@@ -90,6 +90,9 @@ struct ComparisonOptions
     tuning.TimeUnits = 0;
     return tuning;
   }();
+  /// Whether all pictures of the test may be of one color. A test whose scene is never drawn finds
+  /// no difference, whatever the culler does.
+  bool MayBeOfOneColor = false;
   /// Whether the messages of VTK are added to Comparison::Messages instead of failing the test.
   bool KeepMessages = false;
   /// Whether the culler is not added at all; see GetControl().
@@ -144,6 +147,7 @@ private:
 
   ComparisonOptions Options;
   int Frames = 0;
+  bool HasShown = false; ///< Whether a picture of the reference had pixels of different colors.
 };
 
 ///@{

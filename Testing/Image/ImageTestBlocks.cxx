@@ -433,7 +433,7 @@ TEST(CullerBlocksChanges, AreNoticedWhileNothingIsDrawn)
           }
         });
     }
-    comparison.Frame("moved", [](Stage& stage) { Move(stage, 4, { 40.0, -4.0, 0.0 }); });
+    comparison.Frame("moved", [](Stage& stage) { Move(stage, 4, { 50.0, -4.0, 0.0 }); });
     comparison.Frame("after");
     comparison.Frame("after");
   }

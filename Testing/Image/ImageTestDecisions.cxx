@@ -130,6 +130,7 @@ TEST(CullerDecisions, AllAreHiddenByOtherProps)
 {
   ComparisonOptions options;
   options.KeepDefaultCuller = false;
+  options.MayBeOfOneColor = true; // that of the wall
   Comparison comparison(
     [](Stage& stage)
     {

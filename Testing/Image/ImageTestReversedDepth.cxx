@@ -460,13 +460,16 @@ TEST_P(CullerReversedDepthOnce, StepsAsideForOtherDepthFunctions)
 {
   for (const GLenum passes : { GL_GREATER, GL_ALWAYS, GL_LEQUAL })
   {
+    ComparisonOptions options;
+    options.MayBeOfOneColor = passes == GL_LEQUAL; // Nothing is farther than infinity.
     Comparison comparison(
       [&](Stage& stage)
       {
         Reverse(stage, this->GetParam());
         GetReversedPass(stage)->DepthFunction = passes;
         Scenes::BuildWall(stage);
-      });
+      },
+      options);
     for (int i = 0; i < 3; ++i)
     {
       Scenes::FrameOfWall(comparison, 0.2 * i);
