@@ -4,7 +4,7 @@
 # What makes a build from nothing short. Most of the time of a file of this project goes into
 # reading VTK's, GoogleTest's and the standard library's headers, and into optimising what they
 # bring along. The headers are read once, as precompiled headers, several sources are compiled as
-# one (a unity build), and the code of tests is optimised less.
+# one (a unity build), and code whose own speed does not matter is optimised less.
 #
 # Nothing of this reaches VTK's own tree, where the module is built without this file.
 
@@ -51,8 +51,7 @@ set(_nbuffer_rendering_headers
 #
 # Files that stand next to each other in the target's list are compiled as one: what they include is
 # read once, and templates and inline functions that several of them use are compiled once. Names in
-# anonymous namespaces have to differ within a target. A target that sets UNITY_GROUP for files of
-# its own sets UNITY_BUILD_MODE GROUP, too.
+# anonymous namespaces have to differ within a target.
 #
 # GCC warns of a class with a base in an anonymous namespace that is not in the compiler's main
 # file. It is meant for headers, and here every source is included by another one.
@@ -85,59 +84,61 @@ function (nbuffer_precompile_module target)
     ${_nbuffer_standard_headers} ${_nbuffer_data_headers} ${_nbuffer_rendering_headers})
 endfunction ()
 
-# _nbuffer_add_precompiled(<name> OPTIONS <options>... LIBRARIES <libraries>... HEADERS <headers>...)
+# _nbuffer_share_headers(<name>
+#   [OPTIONS <options>...] [LIBRARIES <libraries>...] [HEADERS <headers>...] TARGETS <targets>...)
 #
-# A target of one empty file whose precompiled header others use.
-function (_nbuffer_add_precompiled name)
-  if (TARGET ${name})
+# The targets use the precompiled headers of the standard library, of VTK's data and the given ones.
+# These belong to a target <name> of one empty file, which is compiled with the options.
+function (_nbuffer_share_headers name)
+  if (NOT VTKNBUFFER_PRECOMPILE_HEADERS)
     return()
   endif ()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "OPTIONS;LIBRARIES;HEADERS")
-  set(source "${CMAKE_BINARY_DIR}/CMakeFiles/${name}.cxx")
-  file(CONFIGURE OUTPUT "${source}"
-    CONTENT "// A precompiled header belongs to a target, and a target has a file.\n" @ONLY)
-  add_library(${name} OBJECT "${source}")
-  target_compile_options(${name} PRIVATE ${arg_OPTIONS})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES})
-  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "OPTIONS;LIBRARIES;HEADERS;TARGETS")
+  if (NOT TARGET ${name})
+    set(source "${CMAKE_BINARY_DIR}/CMakeFiles/${name}.cxx")
+    file(CONFIGURE OUTPUT "${source}"
+      CONTENT "// A precompiled header belongs to a target, and a target has a file.\n" @ONLY)
+    add_library(${name} OBJECT "${source}")
+    target_compile_options(${name} PRIVATE ${arg_OPTIONS})
+    target_link_libraries(${name} PRIVATE VTK::CommonDataModel ${arg_LIBRARIES})
+    target_precompile_headers(${name} PRIVATE
+      ${_nbuffer_standard_headers} ${_nbuffer_data_headers} ${arg_HEADERS})
+  endif ()
+  foreach (target IN LISTS arg_TARGETS)
+    target_precompile_headers(${target} REUSE_FROM ${name})
+  endforeach ()
 endfunction ()
 
 # nbuffer_precompile(<target>...)
 #
-# For static libraries and programs that are optimised as the build type says.
+# For libraries and programs whose own speed is measured. They are optimised as the build type says.
 function (nbuffer_precompile)
   _nbuffer_unite(${ARGN})
-  if (NOT VTKNBUFFER_PRECOMPILE_HEADERS)
-    return()
-  endif ()
-  _nbuffer_add_precompiled(vtknbuffer_headers
-    LIBRARIES VTK::CommonDataModel
-    HEADERS ${_nbuffer_standard_headers} ${_nbuffer_data_headers})
-  foreach (target IN LISTS ARGN)
-    target_precompile_headers(${target} REUSE_FROM vtknbuffer_headers)
-  endforeach ()
+  _nbuffer_share_headers(vtknbuffer_headers TARGETS ${ARGN})
 endfunction ()
 
+# nbuffer_speed_up(<target>...)
 # nbuffer_speed_up_tests(<target>...)
 #
-# For programs of tests: precompiled headers, GoogleTest's among them, and less optimisation. A
-# test's own code runs once or a few times; what takes time when tests run (the module, the ray
-# oracle, the fuzzer, VTK and the driver) is not compiled with these options.
-set(_nbuffer_test_options
+# For other libraries and programs, and for programs of tests: less optimisation. Their own code runs
+# once or a few times; what takes time when they run (the module, the ray oracle, VTK and the driver)
+# is not compiled with these options. The precompiled headers of tests have GoogleTest's, too.
+set(_nbuffer_less_optimization
   $<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<CONFIG:Release,RelWithDebInfo>>:-O1>)
-function (nbuffer_speed_up_tests)
+function (_nbuffer_optimize_less)
   foreach (target IN LISTS ARGN)
-    target_compile_options(${target} PRIVATE ${_nbuffer_test_options})
+    target_compile_options(${target} PRIVATE ${_nbuffer_less_optimization})
   endforeach ()
   _nbuffer_unite(${ARGN})
-  if (NOT VTKNBUFFER_PRECOMPILE_HEADERS)
-    return()
-  endif ()
-  _nbuffer_add_precompiled(vtknbuffer_test_headers
-    OPTIONS ${_nbuffer_test_options}
-    LIBRARIES VTK::CommonDataModel GTest::gtest
-    HEADERS ${_nbuffer_standard_headers} ${_nbuffer_data_headers} <gtest/gtest.h>)
-  foreach (target IN LISTS ARGN)
-    target_precompile_headers(${target} REUSE_FROM vtknbuffer_test_headers)
-  endforeach ()
+endfunction ()
+function (nbuffer_speed_up)
+  _nbuffer_optimize_less(${ARGN})
+  _nbuffer_share_headers(vtknbuffer_program_headers
+    OPTIONS ${_nbuffer_less_optimization} TARGETS ${ARGN})
+endfunction ()
+function (nbuffer_speed_up_tests)
+  _nbuffer_optimize_less(${ARGN})
+  _nbuffer_share_headers(vtknbuffer_test_headers
+    OPTIONS ${_nbuffer_less_optimization} LIBRARIES GTest::gtest HEADERS <gtest/gtest.h>
+    TARGETS ${ARGN})
 endfunction ()

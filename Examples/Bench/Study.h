@@ -15,11 +15,21 @@
 
 #include "vtk_jsoncpp.h"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace NBufferBench
 {
+
+/// Throws std::runtime_error, which says what has failed and why, if `done` is false.
+inline void Check(bool done, const char* what, const std::string& why)
+{
+  if (!done)
+  {
+    throw std::runtime_error(what + why);
+  }
+}
 
 /// Measures what runs on the graphics device, by size of the image: drawing, reading depth back,
 /// building all levels or one, and reading those back. Leaves the window at another size, and

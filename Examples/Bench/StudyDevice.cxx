@@ -16,7 +16,6 @@
 
 #include <functional>
 #include <map>
-#include <stdexcept>
 
 namespace NBufferBench
 {
@@ -74,14 +73,6 @@ Json::Value MakeRow(const Drawn& drawn, const char* name, int factor, int levels
     vtkNBufferMath::GetBaseSize(drawn.GetWidth(), factor) *
     vtkNBufferMath::GetBaseSize(drawn.GetHeight(), factor);
   return row;
-}
-
-void Check(bool done, const char* what, const std::string& why)
-{
-  if (!done)
-  {
-    throw std::runtime_error(what + why);
-  }
 }
 
 /// Measures building levels by build(), on the device alone by getDeviceTime() (not above 0 where

@@ -17,7 +17,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 namespace NBufferBench
 {
@@ -35,14 +34,6 @@ constexpr int Step = 8;          ///< Every so many pixels along each axis are c
 constexpr int Lexels = 256;      ///< Of a litmap along each axis, as the default has them.
 constexpr double Bias = 0.1;     ///< In metres along the ray of the light.
 constexpr double Farther = 1e-3; ///< In metres: by how much a wrong surface is farther.
-
-void Check(bool done, const std::string& why)
-{
-  if (!done)
-  {
-    throw std::runtime_error(why);
-  }
-}
 
 /// What rays in double precision say about a pixel.
 struct Sample
@@ -90,7 +81,8 @@ public:
     }
     std::string why;
     this->Window->MakeCurrent();
-    Check(this->Painter.SetTriangles(vertices, why), why);
+    Check(this->Painter.SetTriangles(vertices, why),
+      "nothing can be drawn in a format of depth: ", why);
     this->MakeSamples();
   }
 
@@ -108,9 +100,11 @@ public:
     }
     std::vector<float> numbers;
     std::vector<double> depth;
-    Check(this->Painter.Draw(0, static_cast<int>(3 * this->Props.size()), why), why);
-    Check(this->Painter.ReadNumbers(numbers, why), why);
-    Check(this->Painter.ReadDepth(depth, why), why);
+    Check(this->Painter.Draw(0, static_cast<int>(3 * this->Props.size()), why),
+      "nothing can be drawn in a format of depth: ", why);
+    Check(
+      this->Painter.ReadNumbers(numbers, why), "nothing can be drawn in a format of depth: ", why);
+    Check(this->Painter.ReadDepth(depth, why), "nothing can be drawn in a format of depth: ", why);
     this->TestBoxes(format, planes, numbers, depth, entry);
     this->TestReceivers(format, planes, numbers, depth, entry);
     return entry;

@@ -12,21 +12,12 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <map>
-#include <stdexcept>
 
 namespace NBufferBench
 {
 namespace
 {
 using NBufferPeers::PackedLevels;
-
-void Check(bool done, const std::string& why)
-{
-  if (!done)
-  {
-    throw std::runtime_error("packed levels: " + why);
-  }
-}
 
 Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int repetitions)
 {
@@ -51,7 +42,7 @@ Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int re
   {
     window->WaitForCompletion();
     const vtkNBufferClock clock;
-    Check(function(), why);
+    Check(function(), "packed levels: ", why);
     window->WaitForCompletion();
     if (repetition > 0) // The first time does not count.
     {
@@ -73,7 +64,8 @@ Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int re
     time("query_arrays", i, [&]() { return packed.Query(window, arrays, why); });
     const std::vector<float> expected = packed.ReadDepths();
     time("query_packed", i, [&]() { return packed.Query(window, nullptr, why); });
-    Check(packed.ReadDepths() == expected, "a query has another answer than that of the arrays");
+    Check(packed.ReadDepths() == expected,
+      "packed levels: ", "a query has another answer than that of the arrays");
   }
   for (const auto& [name, values] : times)
   {

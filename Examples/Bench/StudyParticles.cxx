@@ -16,7 +16,6 @@
 #include <cmath>
 #include <numeric>
 #include <random>
-#include <stdexcept>
 
 namespace NBufferBench
 {
@@ -28,14 +27,6 @@ using NBufferPeers::ParticleCulling;
 constexpr double Nearest = 1.0; // distances of particles from the eye, in metres
 constexpr double Farthest = 200.0;
 constexpr float BoxSide = 1.0f;
-
-void Check(bool done, const std::string& why)
-{
-  if (!done)
-  {
-    throw std::runtime_error("particles cannot be drawn: " + why);
-  }
-}
 
 /// Returns places all over the picture, and at all distances.
 std::vector<glm::vec3> MakeParticles(const glm::dmat4& eyeToClip, int count)
@@ -71,10 +62,11 @@ void MeasureTimes(vtkOpenGLRenderWindow* window, ParticleCloud& cloud, const glm
       const auto culling = static_cast<ParticleCulling>(k);
       window->WaitForCompletion();
       vtkNBufferClock clock;
-      Check(culling == ParticleCulling::None || cloud.Build(window, culling, why), why);
+      Check(culling == ParticleCulling::None || cloud.Build(window, culling, why),
+        "particles cannot be drawn: ", why);
       window->WaitForCompletion();
       const double built = clock.Restart();
-      Check(cloud.Draw(eyeToClip, culling, why), why);
+      Check(cloud.Draw(eyeToClip, culling, why), "particles cannot be drawn: ", why);
       window->WaitForCompletion();
       const double drawn = clock.GetMilliseconds();
       if (i > 0)
@@ -109,12 +101,14 @@ void CountTests(vtkOpenGLRenderWindow* window, ParticleCloud& cloud, const glm::
   std::vector<unsigned int> passed;
   std::vector<ParticleCloud::Finding> found;
   std::vector<ParticleCloud::Finding> early;
-  Check(cloud.Build(window, ParticleCulling::Maxima, why), why);
-  Check(cloud.Build(window, ParticleCulling::MinimaFirst, why), why);
-  Check(cloud.CountFragments(eyeToClip, false, fragments, why), why);
-  Check(cloud.CountFragments(eyeToClip, true, passed, why), why);
-  Check(cloud.Find(eyeToClip, ParticleCulling::Maxima, found, why), why);
-  Check(cloud.Find(eyeToClip, ParticleCulling::MinimaFirst, early, why), why);
+  Check(cloud.Build(window, ParticleCulling::Maxima, why), "particles cannot be drawn: ", why);
+  Check(cloud.Build(window, ParticleCulling::MinimaFirst, why), "particles cannot be drawn: ", why);
+  Check(cloud.CountFragments(eyeToClip, false, fragments, why), "particles cannot be drawn: ", why);
+  Check(cloud.CountFragments(eyeToClip, true, passed, why), "particles cannot be drawn: ", why);
+  Check(
+    cloud.Find(eyeToClip, ParticleCulling::Maxima, found, why), "particles cannot be drawn: ", why);
+  Check(cloud.Find(eyeToClip, ParticleCulling::MinimaFirst, early, why),
+    "particles cannot be drawn: ", why);
   int counts[5] = { 0, 0, 0, 0, 0 };
   int lookups[2] = { 0, 0 };
   for (std::size_t i = 0; i < found.size(); ++i)
