@@ -11,7 +11,7 @@ namespace
 {
 constexpr const char* VerdictNames[] = { "Unknown", "Outside", "Hidden", "Visible", "NearPlane",
   "Untested", "NotAPlainActor", "NotAPlainMapper", "Translucent", "NotASurface", "DepthOffset",
-  "ShaderReplaced", "OtherCoordinates", "NoBounds", "SharedMapper" };
+  "ShaderReplaced", "OtherCoordinates", "NoBounds", "SharedMapper", "Blended" };
 static_assert(std::size(VerdictNames) == vtkNBufferStatistics::NumberOfVerdicts);
 
 constexpr const char* DecisionNames[] = { "None", "Culled", "Still", "Frozen", "NothingHeld",

@@ -48,6 +48,8 @@ enum class vtkNBufferVerdict : int
                     ///< prop (or a part of one) that uses it in another way. VTK then draws one of
                     ///< them with the shaders, the range or the vertex buffer of the other. If
                     ///< these shaders read what the other does not set, all props are drawn.
+  Blended,          ///< Drawn: it blends in the opaque stage, or comes after such a prop in the
+                    ///< renderer's list, so that their order shows.
   NumberOfVerdicts
 };
 
@@ -74,8 +76,9 @@ enum class vtkNBufferDecision : int
   Delegated,         ///< A vtkRendererDelegate draws in place of this renderer.
   UnsupportedWindow, ///< The window is a VR window, or the renderer's viewport has no pixels.
   OtherCuller,       ///< A culler comes after this one; it would not see what is held back.
-  Blending,          ///< The image depends on the order of drawing: a prop blends among the opaque
-                     ///< ones, or shares an object as vtkNBufferVerdict::SharedMapper describes.
+  Blending,          ///< The image depends on the order of drawing: props share an object as
+                     ///< vtkNBufferVerdict::SharedMapper describes, or a prop blends among the
+                     ///< opaque ones, and too few candidates come before it.
   OtherView,         ///< The camera, the viewport or the framebuffer cannot be tested, or is not
                      ///< the one of Cull(); all props were drawn.
   NoContext,         ///< Failure: the window has no OpenGL context.

@@ -172,6 +172,14 @@ MUTANTS = {
          "moved, frozen)")],
     "order of equal depths forgotten": [
         ("vtkNBufferLateDraws.cxx", "if (this->Drawn.empty())", "if (!this->Drawn.empty())")],
+    "held-back props drawn after those that blend": [
+        ("vtkNBufferListMaker.cxx", "props + std::min(firstBlended, kept)", "props + kept")],
+    "props after one that blends held back": [
+        ("vtkNBufferPartition.cxx", "if (i >= firstBlended && ", "if (i == firstBlended && ")],
+    "props that blend drawn again for their depth": [
+        ("vtkNBufferLateDraws.cxx",
+         "std::min(this->Props.GetSize(), partition.GetFirstBlended())",
+         "this->Props.GetSize()")],
     "equal depths of overlapping rectangles forgotten": [
         ("vtkNBufferTieOrder.cxx",
          "return projection.GetContact(a.Box, a.Screen, b.Box, b.Screen);",

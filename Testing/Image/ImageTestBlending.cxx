@@ -58,11 +58,13 @@ TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
 }
 
 // Hazard: a prop that is forced to be opaque, with an opacity below 1, is blended in the opaque
-// stage, so that the image depends on what was drawn before it, and on how often it is drawn.
+// stage, so that the image depends on what was drawn before it, and on how often it is drawn. It
+// also hides what is drawn after it. Props before it in the list are culled, the others are not.
 TEST(CullerProps, BlendedInTheOpaqueStage)
 {
+  int last = -1;
   Comparison comparison(
-    [](Stage& stage)
+    [&last](Stage& stage)
     {
       Scenes::BuildWall(stage);
       for (int i = 0; i < 6; ++i)
@@ -71,7 +73,7 @@ TEST(CullerProps, BlendedInTheOpaqueStage)
         stage.GetActor(glass)->GetProperty()->SetOpacity(0.5);
         stage.GetActor(glass)->ForceOpaqueOn();
       }
-      Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
+      last = Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
       Scenes::SetWallCamera(stage.GetRenderer());
     });
   for (int i = 0; i < 8; ++i)
@@ -82,8 +84,13 @@ TEST(CullerProps, BlendedInTheOpaqueStage)
         Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 9.0 : -2.0 * i);
         stage.GetActor(Wall::Index)->SetPosition(i % 3, 0.0, 0.0);
       });
-    EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
-    EXPECT_EQ(comparison.GetHidden(), 0);
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    EXPECT_GT(comparison.GetHidden(), 0);
+    for (int blended = Wall::Count; blended <= last; ++blended)
+    {
+      const Verdict verdict = comparison.GetVerdict(blended);
+      EXPECT_TRUE(verdict == Verdict::Blended || verdict == Verdict::Outside) << blended;
+    }
   }
 }
 
@@ -91,8 +98,9 @@ TEST(CullerProps, BlendedInTheOpaqueStage)
 // show.
 TEST(CullerProps, BlendedPartOfAnAssembly)
 {
+  int last = -1; // comes after the assembly
   Comparison comparison(
-    [](Stage& stage)
+    [&last](Stage& stage)
     {
       Scenes::BuildWall(stage);
       const int glass = Scenes::AddBox(stage, 0.0, 0.0, 6.0, 12.0, 9.0, 0.1);
@@ -100,6 +108,7 @@ TEST(CullerProps, BlendedPartOfAnAssembly)
       assembly->AddPart(stage.GetActor(glass));
       stage.GetRenderer()->RemoveActor(stage.GetActor(glass));
       stage.Add(assembly);
+      last = Scenes::AddBox(stage, 0.0, 0.0, 5.0, 1.0, 1.0, 0.5);
       Scenes::SetWallCamera(stage.GetRenderer());
     });
   for (const bool blended : { false, true, false, true })
@@ -114,9 +123,10 @@ TEST(CullerProps, BlendedPartOfAnAssembly)
     for (int i = 0; i < 3; ++i)
     {
       Scenes::FrameOfWall(comparison, 2.0 * i);
-      EXPECT_EQ(comparison.GetDecision() == Decision::Blending, blended);
+      EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+      EXPECT_EQ(comparison.GetVerdict(last), blended ? Verdict::Blended : Verdict::Visible);
     }
-    EXPECT_EQ(comparison.GetHidden() == 0, blended);
+    EXPECT_GT(comparison.GetHidden(), 0);
   }
 }
 

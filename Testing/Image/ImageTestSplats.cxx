@@ -303,8 +303,9 @@ TEST(CullerSplatsBlending, InFrontOfWhatTheyHide)
 {
   for (const bool emissive : { false, true })
   {
+    int last = -1;
     Comparison comparison(
-      [emissive](Stage& stage)
+      [emissive, &last](Stage& stage)
       {
         Scenes::BuildWall(stage);
         const vtkSmartPointer<vtkPolyData> data = MakeSplatCloud(200);
@@ -315,12 +316,14 @@ TEST(CullerSplatsBlending, InFrontOfWhatTheyHide)
         mapper->SetEmissive(emissive);
         actor->SetScale(0.2, 0.2, 0.2);
         actor->SetPosition(0.0, 0.0, 4.0);
-        Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
+        last = Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
       });
     for (int i = 0; i < 6; ++i)
     {
       Scenes::FrameOfWall(comparison, 1.0 * i);
-      EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
+      EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+      EXPECT_GT(comparison.GetHidden(), Scenes::Wall::Behind / 2);
+      EXPECT_EQ(comparison.GetVerdict(last), Verdict::Blended);
     }
   }
 }

@@ -410,6 +410,10 @@ TEST(NBufferCullingPolicy, NamesTheReasonNotToTest)
   EXPECT_EQ(Decide(counts), Decision::Culled);
   counts.Inside = Minimum - 1;
   EXPECT_EQ(Decide(counts), Decision::FewCandidates);
+  counts.Blended = 1;
+  EXPECT_EQ(Decide(counts), Decision::Blending) << "the others come after a prop that blends";
+  counts.Inside = Minimum;
+  EXPECT_EQ(Decide(counts), Decision::Culled) << "enough of them come before it";
   counts.Blending = true;
   EXPECT_EQ(Decide(counts), Decision::Blending);
 

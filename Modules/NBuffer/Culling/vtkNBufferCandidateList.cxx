@@ -164,40 +164,38 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
       this->Tree.HasChanged(i);
     }
   }
-  this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
-  this->DepthOffset = this->Translucent = false;
+  this->UntrackedDepth = this->LackOfNormals = this->DepthOffset = this->Translucent = false;
+  this->FirstBlended = this->FirstLines = VTK_INT_MAX;
   this->WithParts.clear();
-  for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
+  for (int i = 0; i < this->GetSize(); ++i)
   {
     const vtkNBufferCandidate& candidate = this->Candidates[i];
     if (candidate.HasParts())
     {
-      this->WithParts.push_back(static_cast<int>(i));
+      this->WithParts.push_back(i);
     }
     this->UntrackedDepth =
       this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
-    this->Blending = this->Blending || candidate.IsBlended();
+    this->FirstBlended =
+      candidate.IsBlended() ? std::min(this->FirstBlended, i) : this->FirstBlended;
     this->DepthOffset = this->DepthOffset || candidate.HasOffset();
     this->Translucent =
       this->Translucent || candidate.GetVerdict() == vtkNBufferVerdict::Translucent;
-    this->Lines = this->Lines || candidate.MayDrawLines();
+    this->FirstLines = candidate.MayDrawLines() ? std::min(this->FirstLines, i) : this->FirstLines;
     this->LackOfNormals = this->LackOfNormals || candidate.MayLackNormals();
   }
 }
 
-bool vtkNBufferCandidateList::HasBlending(bool smoothLines, bool ambientOcclusion) const
-{
-  return this->Blending || this->BlendedParts || this->SharesState || this->SharedChanged ||
-    (smoothLines && this->Lines) || (ambientOcclusion && this->LackOfNormals);
-}
-
 void vtkNBufferCandidateList::ReadParts()
 {
-  this->BlendedParts = false;
+  this->FirstBlendedPart = VTK_INT_MAX;
   std::vector<vtkNBufferSharedState::Uses> uses;
   for (const int i : this->WithParts)
   {
-    this->BlendedParts = this->Candidates[i].ReadParts(uses) || this->BlendedParts;
+    if (this->Candidates[i].ReadParts(uses))
+    {
+      this->FirstBlendedPart = std::min(this->FirstBlendedPart, i);
+    }
   }
   if (uses != this->PartUses)
   {

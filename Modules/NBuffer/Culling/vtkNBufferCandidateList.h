@@ -21,6 +21,7 @@
 #include "vtkNBufferPropList.h"
 #include "vtkNBufferTieOrder.h"
 
+#include <algorithm>
 #include <unordered_set>
 #include <vector>
 
@@ -73,10 +74,22 @@ public:
   /// Whether the depth that any of the props writes may change without a newer modification time.
   bool HasUntrackedDepth() const { return this->UntrackedDepth; }
 
-  /// Whether the image may depend on the order in which the opaque stage draws, because a prop
-  /// blends there, or because props share an object that they use in different ways
-  /// (vtkNBufferSharedState). The arguments are those of vtkNBufferCompatibility::DrawingSettings.
-  bool HasBlending(bool smoothLines, bool ambientOcclusion) const;
+  /// The place of the first prop that may blend in the opaque stage, so that it and all props after
+  /// it have to be drawn in their order, after all props before it. At least GetSize() if no prop
+  /// blends. `smoothLines` is that of vtkNBufferCompatibility::DrawingSettings.
+  int GetFirstBlended(bool smoothLines) const
+  {
+    return std::min(
+      { this->FirstBlended, this->FirstBlendedPart, smoothLines ? this->FirstLines : VTK_INT_MAX });
+  }
+
+  /// Whether the image may depend on the order in which the opaque stage draws any of the props,
+  /// because some share an object that they use in different ways (vtkNBufferSharedState), or
+  /// because normals blend where `ambientOcclusion` (that of DrawingSettings) is on.
+  bool HasBlending(bool ambientOcclusion) const
+  {
+    return this->SharesState || this->SharedChanged || (ambientOcclusion && this->LackOfNormals);
+  }
 
   /// Whether the depth of any of the props is offset (vtkNBufferSurface::HasOffset()).
   bool HasDepthOffset() const { return this->DepthOffset; }
@@ -182,16 +195,20 @@ private:
   int ListNumber = 0;
   bool ListChanged = false;    ///< Since the last RefreshStale().
   bool UntrackedDepth = false; ///< Some prop writes depth and is not tracked.
-  bool Blending = false;       ///< Some prop is blended.
   bool DepthOffset = false;    ///< The depth of some prop is offset.
   bool Translucent = false;    ///< Some prop is translucent.
-  bool Lines = false;          ///< Some prop may draw lines.
   bool LackOfNormals = false;  ///< Some prop may lack normals.
   bool UsesChanged = false;    ///< FindSharedState() has to be called.
   bool SharesState = false;    ///< For its sake the order of all props matters.
   bool SharedChanged = false;  ///< Some prop in OtherShaders has changed.
-  bool BlendedParts = false;   ///< A part of some prop is blended.
-  std::vector<int> WithParts;  ///< The places of the props that have parts.
+  ///@{
+  /// The places of the first prop that is blended, the first one with a part that is blended, and
+  /// the first one that may draw lines.
+  int FirstBlended = VTK_INT_MAX;
+  int FirstBlendedPart = VTK_INT_MAX;
+  int FirstLines = VTK_INT_MAX;
+  ///@}
+  std::vector<int> WithParts;                        ///< The places of the props that have parts.
   std::vector<vtkNBufferSharedState::Uses> PartUses; ///< The uses of all parts of these props.
   std::unordered_set<vtkMapper*> OtherShaders;       ///< Those for which HasOtherShaders() is true.
 };

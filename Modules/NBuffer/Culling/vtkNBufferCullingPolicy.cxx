@@ -54,7 +54,7 @@ vtkNBufferDecision ChooseDecision(
   }
   if (counts.Inside < minimumNumberOfCandidates)
   {
-    return vtkNBufferDecision::FewCandidates;
+    return counts.Blended > 0 ? vtkNBufferDecision::Blending : vtkNBufferDecision::FewCandidates;
   }
   if (backOff && backOff->CountPausedFrame())
   {

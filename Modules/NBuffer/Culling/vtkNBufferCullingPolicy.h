@@ -86,7 +86,8 @@ struct vtkNBufferFrustumCounts
   int Kept = 0;          ///< Those of Inside that can be tested and were visible in the last test.
   int HeldBack = 0;      ///< Opaque ones of Inside that can be tested and that are not Kept.
   int Translucent = 0;   ///< Translucent candidates that can be tested.
-  bool Blending = false; ///< A prop blends in the opaque stage, so that the order of drawing shows.
+  int Blended = 0;       ///< Opaque candidates in the frustum that come after a prop that blends.
+  bool Blending = false; ///< The order in which any props are drawn may show.
 };
 
 namespace vtkNBufferCullingPolicy

@@ -131,8 +131,8 @@ void vtkNBufferDivision::SetView(const vtkNBufferViewSetup& view)
   }
 }
 
-void vtkNBufferDivision::Classify(
-  vtkRenderer* renderer, const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts)
+void vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSettings& settings,
+  int firstBlended, vtkNBufferFrustumCounts& counts)
 {
   for (Entry& entry : this->Entries)
   {
@@ -140,9 +140,10 @@ void vtkNBufferDivision::Classify(
     entry.IsHeldBack = state.Verdict == vtkNBufferVerdict::Untested && !state.WasVisible;
     // A prop of instances or splats is no candidate. It keeps its place, and only its units are
     // tested.
-    entry.IsKept = state.Verdict == vtkNBufferVerdict::NearPlane ||
-      state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
-      (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
+    entry.IsKept = entry.Place < firstBlended &&
+      (state.Verdict == vtkNBufferVerdict::NearPlane ||
+        state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
+        (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible));
     const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent &&
       (state.Placement != vtkNBufferPlacement::Outside ||
         !this->Props.GetCandidate(entry.Place).HasPlacement());

@@ -60,9 +60,10 @@ public:
   void SetView(const vtkNBufferViewSetup& view);
 
   /// Decide whether units are drawn in this frame, find those that are drawn first, and add all
-  /// units in the frustum to the counts.
-  void Classify(
-    vtkRenderer* renderer, const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts);
+  /// units in the frustum to the counts. Opaque props from `firstBlended` on
+  /// (vtkNBufferCandidateList::GetFirstBlended()) are drawn whole.
+  void Classify(vtkRenderer* renderer, const vtkNBufferSettings& settings, int firstBlended,
+    vtkNBufferFrustumCounts& counts);
 
   /// The number of translucent props of which the units are tested, but not the whole box, because
   /// it reaches the near plane or there is none.

@@ -6,6 +6,7 @@
 #include "vtkNBufferDeferredProxy.h"
 #include "vtkNBufferDivision.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferPartition.h"
 #include "vtkNBufferScissor.h"
 
 #include "vtkRenderer.h"
@@ -78,14 +79,17 @@ int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer, const std::vector<int>& h
 }
 
 std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
-  const std::vector<int>& heldBack, bool screensAreValid, vtkInformation* requiredKeys) const
+  const vtkNBufferPartition& partition, bool screensAreValid, vtkInformation* requiredKeys) const
 {
+  const std::vector<int>& heldBack = partition.GetHeldBack();
   std::vector<vtkNBufferDrawnProp> all = this->Drawn;
   const int firstLate = std::min_element(all.begin(), all.end(),
     [](const auto& a, const auto& b) {
       return a.Index < b.Index;
     })->Index;
-  for (int i = firstLate; i < this->Props.GetSize(); ++i)
+  // Props that blend, and those after them, have not been drawn yet.
+  const int end = std::min(this->Props.GetSize(), partition.GetFirstBlended());
+  for (int i = firstLate; i < end; ++i)
   {
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
     // Other cullers set a multiplier of 0 for the props that they remove from the list.
@@ -108,14 +112,16 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
   return all;
 }
 
-int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer, const std::vector<int>& heldBack,
-  bool screensAreValid, int samples, vtkInformation* requiredKeys)
+int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer,
+  const vtkNBufferPartition& partition, bool screensAreValid, int samples,
+  vtkInformation* requiredKeys)
 {
   if (this->Drawn.empty())
   {
     return 0;
   }
-  std::vector<vtkNBufferDrawnProp> all = this->GetAllDrawn(heldBack, screensAreValid, requiredKeys);
+  std::vector<vtkNBufferDrawnProp> all =
+    this->GetAllDrawn(partition, screensAreValid, requiredKeys);
   int draws = 0;
   for (const vtkNBufferRedraw& redraw :
     vtkNBufferTieOrder::GetRedraws(this->Projection, all, vtkNBufferGL::KeepsToScissor(samples)))

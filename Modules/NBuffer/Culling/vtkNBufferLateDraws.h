@@ -19,6 +19,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
 class vtkNBufferCandidateList;
 class vtkNBufferDeferredProxy;
+class vtkNBufferPartition;
 class vtkNBufferDivision;
 class vtkNBufferProjection;
 class vtkRenderer;
@@ -44,8 +45,8 @@ public:
 
   /**
    * Draw the props of this frame that are not in the renderer's list again, after VTK has drawn
-   * this list again. Returns the number of props drawn. `heldBack` is as in RestoreTieOrder(),
-   * which has to be called afterwards.
+   * this list again. Returns the number of props drawn. `heldBack` are the places of the props that
+   * were held back, in ascending order. RestoreTieOrder() has to be called afterwards.
    */
   int Repeat(vtkRenderer* renderer, const std::vector<int>& heldBack);
 
@@ -53,14 +54,14 @@ public:
    * Draw props once more where this is needed so that, of the props that have the same depth in a
    * sample, the last one in the renderer's order is the one that stays (vtkNBufferTieOrder.h).
    *
-   * `heldBack` are the places of the props that were held back, in ascending order. `samples` is
-   * the number of samples of a pixel, as in vtkNBufferDepthSource. `screensAreValid` is false if
-   * the frame is drawn from another view than that of Cull(), so that the rectangles of the props
-   * are wrong and any two props may have equal depths. If `requiredKeys` is not nullptr, only props
-   * that have these keys are drawn (see vtkProp::HasKeys). Returns the number of draws.
+   * `partition` is that of this frame. `samples` is the number of samples of a pixel, as in
+   * vtkNBufferDepthSource. `screensAreValid` is false if the frame is drawn from another view than
+   * that of Cull(), so that the rectangles of the props are wrong and any two props may have equal
+   * depths. If `requiredKeys` is not nullptr, only props that have these keys are drawn (see
+   * vtkProp::HasKeys). Returns the number of draws.
    */
-  int RestoreTieOrder(vtkRenderer* renderer, const std::vector<int>& heldBack, bool screensAreValid,
-    int samples, vtkInformation* requiredKeys = nullptr);
+  int RestoreTieOrder(vtkRenderer* renderer, const vtkNBufferPartition& partition,
+    bool screensAreValid, int samples, vtkInformation* requiredKeys = nullptr);
 
   /// Get the draws of this frame, in the order of drawing.
   const std::vector<vtkNBufferDrawnProp>& Get() const { return this->Drawn; }
@@ -71,7 +72,7 @@ public:
 private:
   int DrawWhole(vtkRenderer* renderer, int place);
   std::vector<vtkNBufferDrawnProp> GetAllDrawn(
-    const std::vector<int>& heldBack, bool screensAreValid, vtkInformation* requiredKeys) const;
+    const vtkNBufferPartition& partition, bool screensAreValid, vtkInformation* requiredKeys) const;
 
   vtkNBufferCandidateList& Props;
   vtkNBufferDivision& Division;

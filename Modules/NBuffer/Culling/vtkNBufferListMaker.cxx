@@ -19,10 +19,13 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
   double total = 0.0;
   int kept = 0;
   double heldTotal = 0.0;
-  int lastDivided = -1; // An index into the list that is made here.
+  // Indices into the list that is made here.
+  int lastDivided = -1;
+  int firstBlended = VTK_INT_MAX;
   this->NumberOfProxies = 0;
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
+    firstBlended = i == this->Partition.GetFirstBlended() ? kept : firstBlended;
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
     // A translucent prop that an earlier test found hidden keeps its place, behind a closed proxy.
     const bool closed = verdict == vtkNBufferVerdict::Hidden && !isTestPending &&
@@ -62,12 +65,16 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
       this->Division.Postpone(static_cast<vtkNBufferPropProxy*>(props[lastDivided])->GetPlace());
       std::copy(props + lastDivided + 1, props + kept, props + lastDivided);
       --kept;
+      --firstBlended;
     }
     // VTK does not draw what has a multiplier of 0.
     heldTotal = heldTotal > 0.0 ? heldTotal : 1.0;
     this->Proxy->SetRenderTimeMultiplier(heldTotal);
     total += heldTotal;
-    props[kept++] = this->Proxy;
+    vtkProp** place = props + std::min(firstBlended, kept);
+    std::copy_backward(place, props + kept, props + kept + 1);
+    *place = this->Proxy;
+    ++kept;
   }
   count = kept;
   initialized = 1;

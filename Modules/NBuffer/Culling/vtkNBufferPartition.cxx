@@ -20,9 +20,10 @@ void vtkNBufferPartition::Clear()
   this->IsAnyOutside = false;
 }
 
-vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
+vtkNBufferFrustumCounts vtkNBufferPartition::Classify(int firstBlended)
 {
   this->Clear();
+  this->FirstBlended = firstBlended;
   vtkNBufferFrustumCounts counts;
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
@@ -38,6 +39,13 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
     if (state.Verdict != vtkNBufferVerdict::Visible)
     {
       continue; // not an opaque candidate
+    }
+    if (i >= firstBlended && state.Placement != vtkNBufferPlacement::Outside)
+    {
+      ++counts.Blended;
+      state.Verdict = vtkNBufferVerdict::Blended;
+      state.WasVisible = true;
+      continue;
     }
     ++counts.Candidates;
     switch (state.Placement)

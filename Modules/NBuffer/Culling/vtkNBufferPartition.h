@@ -18,6 +18,7 @@
 #define vtkNBufferPartition_h
 
 #include "vtkNBufferCullingPolicy.h"
+#include "vtkType.h"
 
 #include <vector>
 
@@ -38,8 +39,12 @@ public:
   void Clear();
 
   /// Divide the props by their placements in the view, and set the verdicts of those that need no
-  /// test. Returns the number of props of each kind.
-  vtkNBufferFrustumCounts Classify();
+  /// test. `firstBlended` is that of vtkNBufferCandidateList: the opaque candidates from there on
+  /// are in none of the lists. Returns the number of props of each kind.
+  vtkNBufferFrustumCounts Classify(int firstBlended);
+
+  /// The `firstBlended` of the last Classify().
+  int GetFirstBlended() const { return this->FirstBlended; }
 
   /// Set the verdicts for a frame with a test. The proxy that tests needs a place in the renderer's
   /// list, which must not become longer. If no prop is held back or outside of the frustum and
@@ -93,6 +98,7 @@ private:
   std::vector<int> Translucent;
   std::size_t Lost = 0; ///< The props that were visible and have left the frustum.
   bool IsAnyOutside = false;
+  int FirstBlended = VTK_INT_MAX;
 };
 
 VTK_ABI_NAMESPACE_END

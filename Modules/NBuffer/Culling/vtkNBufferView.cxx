@@ -122,10 +122,11 @@ void vtkNBufferView::Classify(vtkRenderer* renderer)
 vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
 {
   const vtkNBufferCompatibility::DrawingSettings& drawing = this->Stillness.GetDrawing();
-  vtkNBufferFrustumCounts counts = this->Partition.Classify();
-  counts.Blending = this->Props.HasBlending(drawing.SmoothLines, drawing.AmbientOcclusion);
+  const int firstBlended = this->Props.GetFirstBlended(drawing.SmoothLines);
+  vtkNBufferFrustumCounts counts = this->Partition.Classify(firstBlended);
+  counts.Blending = this->Props.HasBlending(drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
-  this->Division.Classify(renderer, this->Settings, counts);
+  this->Division.Classify(renderer, this->Settings, firstBlended, counts);
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
     this->Settings.MinimumNumberOfCandidates, this->Settings.BackOff ? &this->BackOff : nullptr);
   if (decision != vtkNBufferDecision::Culled)
@@ -211,8 +212,8 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   int drawn = 0;
   const bool tested = this->DrawRounds(renderer, drawn);
   const vtkNBufferClock clock;
-  this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
-    renderer, this->Partition.GetHeldBack(), true, this->Tested.Samples);
+  this->Statistics.Redrawn +=
+    this->Draws.RestoreTieOrder(renderer, this->Partition, true, this->Tested.Samples);
   this->Statistics.TieQueries = this->Draws.GetTieQueries();
   this->Statistics.DrawTime += clock.GetMilliseconds();
   // When rendering is aborted mappers return early, so that depth and verdicts are not complete.
@@ -243,7 +244,7 @@ int vtkNBufferView::Repeat(vtkRenderer* renderer)
   // The statistics count only the draws of the first time.
   const vtkNBufferClock clock;
   const int drawn = this->Draws.Repeat(renderer, this->Partition.GetHeldBack());
-  this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->Tested.Samples);
+  this->Draws.RestoreTieOrder(renderer, this->Partition, true, this->Tested.Samples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
@@ -423,7 +424,7 @@ int vtkNBufferView::DrawAll(
   // In another view the boxes cover other pixels, and without a depth test the prop that is drawn
   // last wins at any depth.
   this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
-    renderer, this->Partition.GetHeldBack(), false, this->Tested.Samples, requiredKeys);
+    renderer, this->Partition, false, this->Tested.Samples, requiredKeys);
   this->Statistics.Decision = reason;
   this->State = Phase::Incomplete;
   this->Props.CountVerdicts(this->Statistics);
