@@ -122,6 +122,11 @@ void MakeRenderers(Writer& writer)
       second.Erase = false;
       break;
   }
+  if (second.SharesProps)
+  {
+    // VTK draws unlit props with the shaders of the other renderer (docs/limits.md).
+    second.Shadows = scene.Renderers[0].Shadows = false;
+  }
   scene.Renderers.push_back(second);
   if (!second.SharesProps)
   {
