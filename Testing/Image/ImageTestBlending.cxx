@@ -124,7 +124,7 @@ TEST(CullerProps, BlendedPartOfAnAssembly)
     {
       Scenes::FrameOfWall(comparison, 2.0 * i);
       EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-      EXPECT_EQ(comparison.GetVerdict(last), blended ? Verdict::Blended : Verdict::Hidden);
+      EXPECT_EQ(comparison.GetVerdict(last) == Verdict::Blended, blended);
     }
     EXPECT_GT(comparison.GetHidden(), 0);
   }
