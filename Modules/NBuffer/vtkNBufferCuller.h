@@ -15,12 +15,13 @@
  * ## How it decides
  *
  * Cull() lets through every prop that it does not test and the candidates that the last test found
- * visible. It holds the other candidates back behind one proxy at the end of the list. When the
- * renderer reaches the proxy, this frame's depth is in the framebuffer. The culler reduces it to an
- * N-buffer (vtkNBufferMath.h), tests the boxes of all candidates against it with at most four
- * lookups each, and draws the props held back that may be visible. Where little is known (first
- * frame, camera cut), it first draws near props that probably hide the others, and tests the others
- * in rounds. No test uses the depth of an older frame, so no prop appears a frame too late.
+ * visible. It holds the other candidates back behind one proxy at the end of the list, or before
+ * the first prop that blends in the opaque stage. When the renderer reaches the proxy, this frame's
+ * depth is in the framebuffer. The culler reduces it to an N-buffer (vtkNBufferMath.h), tests the
+ * boxes of all candidates against it with at most four lookups each, and draws the props held back
+ * that may be visible. Where little is known (first frame, camera cut), it first draws near props
+ * that probably hide the others, and tests the others in rounds. No test uses the depth of an older
+ * frame, so no prop appears a frame too late.
  *
  * Candidates are plain opaque surface actors: vtkOpenGLActor itself with a polydata, composite
  * or dataset mapper, and the subclasses that the application vouches for (AddKnownActor()). All

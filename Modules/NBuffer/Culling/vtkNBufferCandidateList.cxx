@@ -164,8 +164,7 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
       this->Tree.HasChanged(i);
     }
   }
-  this->UntrackedDepth = this->LackOfNormals = this->DepthOffset = this->Translucent = false;
-  this->FirstBlended = this->FirstLines = VTK_INT_MAX;
+  this->Traits = {};
   this->WithParts.clear();
   for (int i = 0; i < this->GetSize(); ++i)
   {
@@ -174,27 +173,19 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
     {
       this->WithParts.push_back(i);
     }
-    this->UntrackedDepth =
-      this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
-    this->FirstBlended =
-      candidate.IsBlended() ? std::min(this->FirstBlended, i) : this->FirstBlended;
-    this->DepthOffset = this->DepthOffset || candidate.HasOffset();
-    this->Translucent =
-      this->Translucent || candidate.GetVerdict() == vtkNBufferVerdict::Translucent;
-    this->FirstLines = candidate.MayDrawLines() ? std::min(this->FirstLines, i) : this->FirstLines;
-    this->LackOfNormals = this->LackOfNormals || candidate.MayLackNormals();
+    this->Traits.Add(i, candidate);
   }
 }
 
 void vtkNBufferCandidateList::ReadParts()
 {
-  this->FirstBlendedPart = VTK_INT_MAX;
+  this->Traits.FirstBlendedPart = VTK_INT_MAX;
   std::vector<vtkNBufferSharedState::Uses> uses;
   for (const int i : this->WithParts)
   {
     if (this->Candidates[i].ReadParts(uses))
     {
-      this->FirstBlendedPart = std::min(this->FirstBlendedPart, i);
+      this->Traits.FirstBlendedPart = std::min(this->Traits.FirstBlendedPart, i);
     }
   }
   if (uses != this->PartUses)
@@ -257,7 +248,7 @@ void vtkNBufferCandidateList::FindSharedState()
     {
       vtkNBufferDrawPass::KeepWhole(mapper);
     }
-    this->Translucent = this->Translucent || candidate.IsTranslucent();
+    this->Traits.Translucent |= candidate.IsTranslucent();
     if (std::exchange(this->States[i].OwnVerdict, candidate.GetVerdict()) != candidate.GetVerdict())
     {
       this->Tree.HasChanged(static_cast<int>(i));

@@ -13,6 +13,7 @@
 #include "vtkNBufferCandidate.h"
 #include "vtkNBufferCandidateTree.h"
 #include "vtkNBufferFaces.h"
+#include "vtkNBufferListTraits.h"
 #include "vtkNBufferMeshes.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferObservedObjects.h"
@@ -21,7 +22,6 @@
 #include "vtkNBufferPropList.h"
 #include "vtkNBufferTieOrder.h"
 
-#include <algorithm>
 #include <unordered_set>
 #include <vector>
 
@@ -71,31 +71,17 @@ public:
    */
   void KeepIfNoneIsInside();
 
-  /// Whether the depth that any of the props writes may change without a newer modification time.
-  bool HasUntrackedDepth() const { return this->UntrackedDepth; }
-
-  /// The place of the first prop that may blend in the opaque stage, so that it and all props after
-  /// it have to be drawn in their order, after all props before it. At least GetSize() if no prop
-  /// blends. `smoothLines` is that of vtkNBufferCompatibility::DrawingSettings.
-  int GetFirstBlended(bool smoothLines) const
-  {
-    return std::min(
-      { this->FirstBlended, this->FirstBlendedPart, smoothLines ? this->FirstLines : VTK_INT_MAX });
-  }
+  /// What some of the props are.
+  const vtkNBufferListTraits& GetTraits() const { return this->Traits; }
 
   /// Whether the image may depend on the order in which the opaque stage draws any of the props,
   /// because some share an object that they use in different ways (vtkNBufferSharedState), or
-  /// because normals blend where `ambientOcclusion` (that of DrawingSettings) is on.
+  /// because normals blend where `ambientOcclusion` (that of vtkNBufferCompatibility) is on.
   bool HasBlending(bool ambientOcclusion) const
   {
-    return this->SharesState || this->SharedChanged || (ambientOcclusion && this->LackOfNormals);
+    return this->SharesState || this->SharedChanged ||
+      (ambientOcclusion && this->Traits.LackOfNormals);
   }
-
-  /// Whether the depth of any of the props is offset (vtkNBufferSurface::HasOffset()).
-  bool HasDepthOffset() const { return this->DepthOffset; }
-
-  /// Whether any of the props is translucent and may be tested.
-  bool HasTranslucent() const { return this->Translucent; }
 
   /// Set the counts of verdicts, of props drawn before the first test, and of the hierarchy's work.
   void CountVerdicts(vtkNBufferStatistics& statistics) const;
@@ -193,21 +179,11 @@ private:
   std::size_t NextOfTurn = 0; ///< The place of the prop that the turn visits next.
   vtkNBufferPropWatch::GlobalState GlobalState{};
   int ListNumber = 0;
-  bool ListChanged = false;    ///< Since the last RefreshStale().
-  bool UntrackedDepth = false; ///< Some prop writes depth and is not tracked.
-  bool DepthOffset = false;    ///< The depth of some prop is offset.
-  bool Translucent = false;    ///< Some prop is translucent.
-  bool LackOfNormals = false;  ///< Some prop may lack normals.
-  bool UsesChanged = false;    ///< FindSharedState() has to be called.
-  bool SharesState = false;    ///< For its sake the order of all props matters.
-  bool SharedChanged = false;  ///< Some prop in OtherShaders has changed.
-  ///@{
-  /// The places of the first prop that is blended, the first one with a part that is blended, and
-  /// the first one that may draw lines.
-  int FirstBlended = VTK_INT_MAX;
-  int FirstBlendedPart = VTK_INT_MAX;
-  int FirstLines = VTK_INT_MAX;
-  ///@}
+  bool ListChanged = false;   ///< Since the last RefreshStale().
+  bool UsesChanged = false;   ///< FindSharedState() has to be called.
+  bool SharesState = false;   ///< For its sake the order of all props matters.
+  bool SharedChanged = false; ///< Some prop in OtherShaders has changed.
+  vtkNBufferListTraits Traits;
   std::vector<int> WithParts;                        ///< The places of the props that have parts.
   std::vector<vtkNBufferSharedState::Uses> PartUses; ///< The uses of all parts of these props.
   std::unordered_set<vtkMapper*> OtherShaders;       ///< Those for which HasOtherShaders() is true.

@@ -118,8 +118,8 @@ bool NeedsOrdinaryDepth(vtkRenderer* renderer, const vtkNBufferCandidateList& pr
 {
   const auto comparesDepth = [](vtkRenderPass* pass)
   { return pass->IsA("vtkDepthPeelingPass") || pass->IsA("vtkOrderIndependentTranslucentPass"); };
-  return props.HasDepthOffset() ||
-    (props.HasTranslucent() &&
+  return props.GetTraits().DepthOffset ||
+    (props.GetTraits().Translucent &&
       (!renderer->GetPass() || AnyPass(renderer->GetPass(), comparesDepth)));
 }
 

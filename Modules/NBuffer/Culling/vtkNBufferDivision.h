@@ -61,7 +61,7 @@ public:
 
   /// Decide whether units are drawn in this frame, find those that are drawn first, and add all
   /// units in the frustum to the counts. Opaque props from `firstBlended` on
-  /// (vtkNBufferCandidateList::GetFirstBlended()) are drawn whole.
+  /// (vtkNBufferListTraits::GetFirstBlended()) are drawn whole.
   void Classify(vtkRenderer* renderer, const vtkNBufferSettings& settings, int firstBlended,
     vtkNBufferFrustumCounts& counts);
 

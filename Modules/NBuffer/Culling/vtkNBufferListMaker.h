@@ -5,10 +5,10 @@
  * @brief Makes the list of props that the renderer draws in a frame, from the verdicts of Cull().
  *
  * Props with the verdicts Outside and Hidden are left out. While a test is pending, those with the
- * verdict Unknown are held back: one proxy represents all of them. It is the last in the list, but
- * for props with the verdict Blended and all others after the first prop that blends: these show
- * what has been drawn before them. Translucent props and large props that are drawn unit by unit
- * keep their places, behind proxies of their own.
+ * verdict Unknown are held back: one proxy represents all of them. It is the last in the list,
+ * except where a prop blends in the opaque stage: that prop shows what has been drawn before it, so
+ * that it and the props after it come behind the proxy. Translucent props and large props that are
+ * drawn unit by unit keep their places, behind proxies of their own.
  */
 #ifndef vtkNBufferListMaker_h
 #define vtkNBufferListMaker_h

@@ -39,8 +39,8 @@ public:
   void Clear();
 
   /// Divide the props by their placements in the view, and set the verdicts of those that need no
-  /// test. `firstBlended` is that of vtkNBufferCandidateList: the opaque candidates from there on
-  /// are in none of the lists. Returns the number of props of each kind.
+  /// test. `firstBlended` is that of vtkNBufferListTraits: the opaque candidates from there on are
+  /// in none of the lists. Returns the number of props of each kind.
   vtkNBufferFrustumCounts Classify(int firstBlended);
 
   /// The `firstBlended` of the last Classify().

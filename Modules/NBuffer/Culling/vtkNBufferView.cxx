@@ -73,7 +73,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 
   const bool isSame = this->Stillness.BeginFrame(renderer, settings,
                         listChanged || this->Statistics.Refreshed > 0 || moved, frozen) &&
-    !this->Props.HasUntrackedDepth();
+    !this->Props.GetTraits().UntrackedDepth;
   // If the last test found kept props hidden, another test saves drawing them again.
   const bool mayReuse =
     complete && isSame && this->Settings.ReuseWhenStill && this->KeptInVain == 0;
@@ -122,7 +122,7 @@ void vtkNBufferView::Classify(vtkRenderer* renderer)
 vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
 {
   const vtkNBufferCompatibility::DrawingSettings& drawing = this->Stillness.GetDrawing();
-  const int firstBlended = this->Props.GetFirstBlended(drawing.SmoothLines);
+  const int firstBlended = this->Props.GetTraits().GetFirstBlended(drawing.SmoothLines);
   vtkNBufferFrustumCounts counts = this->Partition.Classify(firstBlended);
   counts.Blending = this->Props.HasBlending(drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;

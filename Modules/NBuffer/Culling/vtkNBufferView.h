@@ -8,8 +8,8 @@
  *     Cull()            updates the cached boxes and tests them against the frustum;
  *       |               decides whether this frame is tested (vtkNBufferCullingPolicy) and which
  *       |               props are held back (vtkNBufferPartition);
- *       |               replaces the props that are held back by a proxy, the last in the list
- *     the renderer draws its list, and the proxy at the end of it
+ *       |               replaces the props that are held back by a proxy (vtkNBufferListMaker)
+ *     the renderer draws its list, and the proxy in it
  *       |
  *     DrawHeldProps()   builds the levels of this frame's depth, tests the boxes of all candidates
  *       |               and draws the props held back that may be visible, in rounds;
