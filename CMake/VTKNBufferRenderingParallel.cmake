@@ -16,8 +16,8 @@ elseif (TARGET VTK::RenderingParallel)
   target_link_libraries(vtknbuffer_rendering_parallel INTERFACE
     VTK::RenderingParallel VTK::ParallelMPI)
 elseif (VTKNBUFFER_VTK_SOURCE AND EXISTS "${_folder}/vtkCompositedSynchronizedRenderers.cxx")
-  set(_sources vtkCompositedSynchronizedRenderers vtkCompositer vtkParallelRenderManager
-    vtkSynchronizedRenderWindows vtkSynchronizedRenderers vtkTreeCompositer)
+  set(_sources vtkCompositedSynchronizedRenderers vtkCompositer vtkCompressCompositer
+    vtkParallelRenderManager vtkSynchronizedRenderWindows vtkSynchronizedRenderers vtkTreeCompositer)
   list(TRANSFORM _sources PREPEND "${_folder}/")
   list(TRANSFORM _sources APPEND ".cxx")
   add_library(vtknbuffer_rendering_parallel STATIC ${_sources})
