@@ -28,7 +28,8 @@ elseif (VTKNBUFFER_VTK_SOURCE AND EXISTS "${_folder}/vtkCompositedSynchronizedRe
 ")
   target_include_directories(vtknbuffer_rendering_parallel SYSTEM PUBLIC "${_headers}" "${_folder}")
   target_link_libraries(vtknbuffer_rendering_parallel PUBLIC
-    VTK::FiltersExtraction VTK::ImagingCore VTK::IOImage VTK::ParallelMPI VTK::RenderingOpenGL2)
+    VTK::CommonSystem VTK::FiltersExtraction VTK::ImagingCore VTK::IOImage VTK::ParallelMPI
+    VTK::RenderingOpenGL2)
   target_compile_options(vtknbuffer_rendering_parallel PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-w>)
 endif ()
