@@ -16,8 +16,8 @@ elseif (TARGET VTK::RenderingParallel)
   target_link_libraries(vtknbuffer_rendering_parallel INTERFACE
     VTK::RenderingParallel VTK::ParallelMPI)
 elseif (VTKNBUFFER_VTK_SOURCE AND EXISTS "${_folder}/vtkCompositedSynchronizedRenderers.cxx")
-  set(_sources vtkCompositedSynchronizedRenderers vtkCompositer vtkParallelRenderManager
-    vtkSynchronizedRenderWindows vtkSynchronizedRenderers vtkTreeCompositer)
+  set(_sources vtkCompositedSynchronizedRenderers vtkCompositer vtkCompressCompositer
+    vtkParallelRenderManager vtkSynchronizedRenderWindows vtkSynchronizedRenderers vtkTreeCompositer)
   list(TRANSFORM _sources PREPEND "${_folder}/")
   list(TRANSFORM _sources APPEND ".cxx")
   add_library(vtknbuffer_rendering_parallel STATIC ${_sources})
@@ -28,7 +28,8 @@ elseif (VTKNBUFFER_VTK_SOURCE AND EXISTS "${_folder}/vtkCompositedSynchronizedRe
 ")
   target_include_directories(vtknbuffer_rendering_parallel SYSTEM PUBLIC "${_headers}" "${_folder}")
   target_link_libraries(vtknbuffer_rendering_parallel PUBLIC
-    VTK::FiltersExtraction VTK::ImagingCore VTK::IOImage VTK::ParallelMPI VTK::RenderingOpenGL2)
+    VTK::CommonSystem VTK::FiltersExtraction VTK::ImagingCore VTK::IOImage VTK::ParallelMPI
+    VTK::RenderingOpenGL2)
   target_compile_options(vtknbuffer_rendering_parallel PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-w>)
 endif ()

@@ -3,7 +3,7 @@
 /**
  * @file CityMPI.cxx
  * @brief A city spread over the processes of mpirun: one picture, and a table of what each process
- * has drawn.
+ * has drawn in the last frame, and sent (the milliseconds are mostly those of waiting for others).
  *
  *     mpirun -n 4 city-mpi city.png          each process has a part of the city
  *     mpirun -n 4 city-mpi city.png random   neighbours belong to different processes
@@ -23,7 +23,7 @@
 #include "vtkRenderer.h"
 #include "vtkSynchronizedRenderWindows.h"
 
-#include <iostream>
+#include <cstdio>
 
 int main(int argc, char* argv[])
 {
@@ -35,8 +35,7 @@ int main(int argc, char* argv[])
     NBufferExamples::Scene city = NBufferExamples::LoadScene({ "city" }, { argv[0] });
     double bounds[6];
     city.GetBounds().GetBounds(bounds);
-    const std::vector<int> owners =
-      NBufferExamples::SpreadActors(city, argc > 2 ? argv[2] : "kd", processes);
+    const auto owners = NBufferExamples::SpreadActors(city, argc > 2 ? argv[2] : "kd", processes);
 
     vtkNew<vtkRenderWindow> window;
     window->SetOffScreenRendering(1);
@@ -77,14 +76,16 @@ int main(int argc, char* argv[])
       window->Render();
     }
 
-    const int mine[2] = { renderer->GetViewProps()->GetNumberOfItems(),
-      renderer->GetNumberOfPropsRendered() };
-    std::vector<int> all(2 * processes);
-    controller->Gather(mine, all.data(), 2, 0);
+    const double mine[5] = { 1.0 * renderer->GetViewProps()->GetNumberOfItems(),
+      1.0 * renderer->GetNumberOfPropsRendered(), 1.0 * exchange->GetNumberOfExchanges(),
+      exchange->GetNumberOfBytes() / 1024.0, exchange->GetExchangeTime() };
+    std::vector<double> all(5 * processes);
+    controller->Gather(mine, all.data(), 5, 0);
     for (int i = 0; i < processes && process == 0; ++i)
     {
-      std::cout << "process " << i << ": " << all[2 * i + 1] << " of " << all[2 * i]
-                << " props drawn\n";
+      const double* row = &all[5 * i];
+      std::printf("%s", i == 0 ? "rank props drawn exchanges   KiB    ms\n" : "");
+      std::printf("%4d %5g %5g %9g %5.1f %5.1f\n", i, row[0], row[1], row[2], row[3], row[4]);
     }
     if (process == 0 && argc > 1)
     {

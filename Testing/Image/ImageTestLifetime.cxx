@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Observers that remove and delete what is being drawn, and frames that are aborted.
 #include "CullerTest.h"
+#include "Once.h"
 #include "Scenes.h"
 
-#include "vtkCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkMapper.h"
 #include "vtkProperty.h"
@@ -17,30 +17,6 @@ using Scenes::Wall;
 
 namespace
 {
-/// Calls a function on the first event that it hears.
-class Once : public vtkCommand
-{
-public:
-  static Once* New() { return new Once; }
-  void Execute(vtkObject*, unsigned long, void*) override
-  {
-    if (std::function<void()> action = std::move(this->Action))
-    {
-      this->Action = nullptr;
-      action();
-    }
-  }
-
-  std::function<void()> Action;
-};
-
-void Observe(vtkObject* object, unsigned long event, std::function<void()> action)
-{
-  vtkNew<Once> once;
-  once->Action = std::move(action);
-  object->AddObserver(event, once);
-}
-
 /// A translucent box, seen between camera and wall.
 constexpr int Glass = Wall::Count;
 

@@ -57,7 +57,8 @@ void SetRankCamera(vtkRenderer* renderer, double t)
   renderer->GetActiveCamera()->SetClippingRange(0.5, 300.0);
 }
 
-std::vector<RankFrame> DrawRanks(const RankOptions& options, const std::string& messages)
+std::vector<RankFrame> DrawRanks(
+  const RankOptions& options, const std::string& messages, int warnings)
 {
   std::vector<RankFrame> frames(options.Frames, RankFrame(options.Ranks));
   TakeMessages();
@@ -95,6 +96,11 @@ std::vector<RankFrame> DrawRanks(const RankOptions& options, const std::string& 
   EXPECT_TRUE(isOver) << "a rank waited for one that did not come";
   found += TakeMessages();
   EXPECT_EQ(found.empty(), messages.empty()) << found;
+  EXPECT_EQ(CountWarnings(found),
+    warnings >= 0        ? warnings
+      : messages.empty() ? 0
+                         : options.Ranks)
+    << found;
   EXPECT_NE(found.find(messages), std::string::npos) << found;
   for (int i = 0; i < options.Frames; ++i)
   {

@@ -84,9 +84,11 @@ struct RankOptions
 };
 
 /// Draws the frames on all ranks. Expects that the composited images with and without the culler
-/// are equal, that all ranks have made equally many exchanges in each frame, and that the messages
-/// of VTK contain `messages` (if it is "": that there are none).
-std::vector<RankFrame> DrawRanks(const RankOptions& options, const std::string& messages = "");
+/// are equal, that all ranks have made equally many exchanges in each frame, and that VTK gives
+/// `warnings` warnings, which contain `messages`. By default there are none if `messages` is "",
+/// and otherwise each rank gives one.
+std::vector<RankFrame> DrawRanks(
+  const RankOptions& options, const std::string& messages = "", int warnings = -1);
 
 /// Returns the number of props that all ranks have drawn in the frames from `first` on.
 int Sum(const std::vector<RankFrame>& frames, int first = 0);

@@ -26,6 +26,10 @@ void SortLast::Attach(vtkRenderer* renderer, vtkMultiProcessController* controll
 
 void SortLast::Execute(vtkObject*, unsigned long event, void*)
 {
+  if (!this->ParallelRendering)
+  {
+    return;
+  }
   if (event == vtkCommand::StartEvent)
   {
     this->SendCamera();

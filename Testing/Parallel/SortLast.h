@@ -25,6 +25,9 @@ public:
   /// Must be called once, on all processes.
   void Attach(vtkRenderer* renderer, vtkMultiProcessController* controller);
 
+  /// Whether this process sends and composites, as in vtkSynchronizedRenderers. Default: true.
+  void SetParallelRendering(bool on) { this->ParallelRendering = on; }
+
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
   /// Returns the composited picture of the last frame, on the first process only.
@@ -42,6 +45,7 @@ private:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   TestScene::Picture Picture;
   double Time = 0.0;
+  bool ParallelRendering = true;
 };
 
 /// Returns the CPU time that this process has used, in milliseconds.

@@ -13,8 +13,10 @@
  * those of the first process at the end. (VTK's own compositing has another rule. With it, the
  * frames in which one process draws another picture are only counted.)
  *
- * With --case one process does not do what the others do. The last lines say how many props were
- * drawn, and the CPU time of each process, without the time of waiting for others.
+ * After cuts of the camera there must be as many exchanges as vtkNBufferExchangePlan says, and few
+ * props drawn. With --case one process does not do what the others do, or all of them select. The
+ * last lines say how many props were drawn, and the CPU time of each process, without the time of
+ * waiting for others.
  */
 #include "CameraPath.h"
 #include "LoadScene.h"
@@ -22,18 +24,23 @@
 #include "SortLast.h"
 #include "Spread.h"
 
+#include "vtkNBufferExchangePlan.h"
 #include "vtkNBufferParallelDepthExchange.h"
 
 #include "vtkActor.h"
+#include "vtkCommunicator.h"
 #include "vtkCullerCollection.h"
+#include "vtkHardwareSelector.h"
 #include "vtkMPIController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
+#include "vtkSelection.h"
 
 #if VTKNBUFFER_TEST_HAS_RENDERING_PARALLEL
 #include "vtkCompositedSynchronizedRenderers.h"
+#include "vtkCompressCompositer.h"
 #include "vtkSynchronizedRenderWindows.h"
 #endif
 
@@ -57,11 +64,13 @@ struct Options
   std::string Spread = "kd";
   std::string Case = "none";
   std::string Compositing = "own";
+  std::string Compositer = "tree";
   std::vector<std::string> Modes = { "shared" };
   int Frames = 12;
   int Size[2] = { 480, 360 };
   int TileSize = 4;
   bool NoBackOff = false;
+  bool OnScreen = false;
 };
 
 /// Counts the CPU time that a process spends in waiting for others.
@@ -86,7 +95,7 @@ struct Window
 {
   Window(const Options& options, vtkMultiProcessController* controller)
   {
-    this->Render->SetOffScreenRendering(1);
+    this->Render->SetOffScreenRendering(!options.OnScreen);
     this->Render->SetMultiSamples(0);
     this->Render->SetSize(options.Size[0], options.Size[1]);
     this->Render->AddRenderer(this->Renderer);
@@ -103,6 +112,10 @@ struct Window
       this->Windows->SetParallelController(controller);
       this->Windows->SetIdentifier(++identifier);
       this->Windows->RenderEventPropagationOff();
+      if (options.Compositer == "compress")
+      {
+        this->Renderers->SetCompositer(vtkNew<vtkCompressCompositer>());
+      }
       this->Renderers->SetRenderer(this->Renderer);
       this->Renderers->SetParallelController(controller);
     }
@@ -112,18 +125,53 @@ struct Window
 #else
   }
 #endif
+  /// Aborts every second frame from now on, before anything is drawn.
+  void Abort()
+  {
+    this->Render->SetAbortRender(this->Aborts = !this->Aborts);
+  }
+  /// Whether this process synchronizes its frames with the others. True by default.
+  void SetParallelRendering(bool on)
+  {
+    this->Parallel->SetParallelRendering(on);
+#if VTKNBUFFER_TEST_HAS_RENDERING_PARALLEL
+    this->Renderers->SetParallelRendering(on);
+    this->Windows->SetParallelRendering(on);
+#endif
+  }
   /// On the first process: the picture of all.
   TestScene::Picture GetPicture() const
   {
     return this->IsOwn ? this->Parallel->GetPicture() : TestScene::TakePicture(this->Render);
   }
   bool IsOwn = false;
+  bool Aborts = false; ///< Whether Abort() has aborted the last frame.
   vtkNew<vtkRenderWindow> Render;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<SortLast> Parallel;
 };
 
-/// What one process does in a case before a frame, in a window.
+/// Makes a hardware selection in a window. Each of its passes draws a frame.
+void Select(Window& window)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  const int* size = window.Render->GetSize();
+  selector->SetRenderer(window.Renderer);
+  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
+  vtkSmartPointer<vtkSelection>::Take(selector->Select());
+}
+
+/// Draws the renderer of a window in front of another one.
+void AddLayer(Window& window)
+{
+  vtkNew<vtkRenderer> behind;
+  behind->SetBackground(0.2, 0.4, 0.3);
+  window.Render->SetNumberOfLayers(2);
+  window.Renderer->SetLayer(1);
+  window.Render->AddRenderer(behind);
+}
+
+/// What a process does in a case before a frame, in a window.
 void Disturb(const std::string& name, int frame, Window& window, vtkNBufferCuller* culler)
 {
   vtkRenderer* renderer = window.Renderer;
@@ -137,6 +185,41 @@ void Disturb(const std::string& name, int frame, Window& window, vtkNBufferCulle
     {
       renderer->RemoveViewProp(renderer->GetViewProps()->GetLastProp());
     }
+  }
+  else if (name == "invisible")
+  {
+    vtkPropCollection* props = renderer->GetViewProps();
+    for (int i = 0; i < props->GetNumberOfItems(); ++i)
+    {
+      static_cast<vtkProp*>(props->GetItemAsObject(i))->VisibilityOff();
+    }
+  }
+  else if (name == "layer" && renderer->GetLayer() == 0)
+  {
+    AddLayer(window);
+  }
+  else if (name == "aborted" && frame == 2)
+  {
+    renderer->AddObserver(vtkCommand::StartEvent, &window, &Window::Abort);
+  }
+  else if (name == "selected")
+  {
+    Select(window);
+  }
+  else if (name == "selected-alone")
+  {
+    window.SetParallelRendering(false);
+    vtkNBufferDepthExchange* exchange = culler ? culler->GetDepthExchange() : nullptr;
+    if (exchange)
+    {
+      exchange->ParallelRenderingOff();
+    }
+    Select(window);
+    if (exchange)
+    {
+      exchange->ParallelRenderingOn();
+    }
+    window.SetParallelRendering(true);
   }
   else if (name == "off" && culler)
   {
@@ -229,6 +312,27 @@ struct CulledWindow
   std::array<double, 5> Totals{}; ///< In the order in which Print() prints them.
 };
 
+/// Returns whether a frame after a cut of the camera had another number of exchanges than it must
+/// have, or the frames so far have drawn too many props. To be called by all processes.
+bool IsCutWrong(const CulledWindow& window, vtkMultiProcessController* controller, int frame)
+{
+  const int mine[] = { window.Exchange->GetNumberOfExchanges(),
+    window.Culler->GetStatistics().HeldBack };
+  int most[2];
+  controller->AllReduce(mine, most, 2, vtkCommunicator::MAX_OP);
+  double sums[2]; // The props that are drawn, and those in the frustum.
+  controller->AllReduce(window.Totals.data(), sums, 2, vtkCommunicator::SUM_OP);
+  const int expected = most[1] > vtkNBufferExchangePlan::FewNewProps ? 2 : 1;
+  const bool isWrong = most[0] != expected || sums[0] > 0.05 * sums[1];
+  if (controller->GetLocalProcessId() == 0)
+  {
+    std::cout << "cut " << frame << ": " << most[0] << " exchanges, at most " << most[1]
+              << " new props on a process, " << sums[0] << " of " << sums[1]
+              << " props drawn so far" << (isWrong ? ", which is wrong\n" : "\n");
+  }
+  return isWrong;
+}
+
 /// Adds the actors that belong to a process, or those of all processes, the last one's first. The
 /// actors are the window's own: VTK would make their OpenGL objects anew if several windows had
 /// them.
@@ -261,7 +365,7 @@ bool Differ(const TestScene::Picture& expected, const TestScene::Picture& actual
   return !difference.empty();
 }
 
-/// Returns the number of frames whose pictures differ.
+/// Returns the number of frames whose pictures differ, or that are wrong after a cut.
 int Run(const Options& options, const char* program, vtkMPIController* controller)
 {
   const int rank = controller->GetLocalProcessId();
@@ -294,6 +398,7 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
   const NBufferExamples::CameraPath path =
     NBufferExamples::MakePath(scene, options.Path, options.Frames, 1);
   int differing = 0;
+  int wrong = 0;
   int unlike = 0; // Frames in which VTK alone draws another picture on one process.
   for (int frame = 0; frame < options.Frames; ++frame)
   {
@@ -302,7 +407,8 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
     {
       // The other processes get the camera of the first one.
       NBufferExamples::ApplyPose(path[rank == 0 ? still : 0], bounds, window->Renderer);
-      if (rank == processes - 1 && frame >= 2 && window != &alone)
+      const bool isUnlike = rank == processes - 1 || options.Case == "selected";
+      if (isUnlike && frame >= 2 && window != &alone)
       {
         const auto found = std::find_if(culled.begin(), culled.end(),
           [window](const CulledWindow& candidate) { return &candidate.Shown == window; });
@@ -318,6 +424,10 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
         window->Render->Render();
       }
     }
+    if (rank == 0 && options.Case == "killed")
+    {
+      std::cout << "frame " << frame << " is drawn" << std::endl;
+    }
     for (CulledWindow& window : culled)
     {
       // The first two frames include what is made once.
@@ -326,6 +436,11 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
         window.AddFrame(stock);
       }
       window.Exchange->Time = 0.0;
+      const bool isCut = options.Path == "cuts" && options.Case == "none" && processes > 1;
+      if (isCut && window.Culler->GetDepthExchange() && IsCutWrong(window, controller, frame))
+      {
+        ++wrong;
+      }
     }
     if (drawsAlone)
     {
@@ -352,7 +467,7 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
     differing += options.Compositing == "own" ? unlike : 0;
   }
   controller->Broadcast(&differing, 1, 0);
-  return differing;
+  return differing + wrong;
 }
 }
 
@@ -367,12 +482,15 @@ int main(int argc, char* argv[])
   app.add_option("--path", options.Path, "street, rooftop, drone, cuts, orbit");
   app.add_option("--spread", options.Spread)->check(CLI::IsMember({ "kd", "random" }));
   app.add_option("--case", options.Case)
-    ->check(CLI::IsMember({ "none", "no-props", "few-props", "off", "removed", "unreadable",
-      "resized", "killed", "setting", "wall" }));
+    ->check(CLI::IsMember(
+      { "none", "no-props", "few-props", "invisible", "layer", "off", "removed", "unreadable",
+        "resized", "aborted", "selected", "selected-alone", "killed", "setting", "wall" }));
   app
     .add_option("--compositing", options.Compositing,
       "by this program, or by vtkCompositedSynchronizedRenderers (then without times)")
     ->check(CLI::IsMember({ "own", "vtk" }));
+  app.add_option("--compositer", options.Compositer, "vtkTreeCompositer or vtkCompressCompositer")
+    ->check(CLI::IsMember({ "tree", "compress" }));
   app.add_option("--frames", options.Frames);
   app.add_option("--width", options.Size[0]);
   app.add_option("--height", options.Size[1]);
@@ -382,6 +500,7 @@ int main(int argc, char* argv[])
     ->delimiter(',')
     ->check(CLI::IsMember({ "shared", "local" }));
   app.add_flag("--no-back-off", options.NoBackOff);
+  app.add_flag("--on-screen", options.OnScreen);
   int failures = 0;
   try
   {
@@ -404,7 +523,9 @@ int main(int argc, char* argv[])
   std::cout << messages;
   if (options.Case == "setting" && failures == 0)
   {
-    messages = messages.find("different settings") == std::string::npos ? "no warning" : "";
+    const bool isRight =
+      CountWarnings(messages) == 1 && messages.find("different settings") != std::string::npos;
+    messages = isRight ? "" : "not one warning";
   }
   controller->Finalize();
   return failures > 0 || !messages.empty() ? 1 : 0;

@@ -57,6 +57,18 @@ std::string TakeMessages()
   return text;
 }
 
+int CountWarnings(const std::string& messages)
+{
+  const std::string beginning = "Warning: In ";
+  int count = 0;
+  for (std::size_t at = messages.find(beginning); at != std::string::npos;
+       at = messages.find(beginning, at + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+
 void ReportErrors(void (*report)(const char* text))
 {
   GetCollector()->Report = report;

@@ -13,6 +13,9 @@
 /// call begins to collect them.
 std::string TakeMessages();
 
+/// Returns how many warnings a text has that TakeMessages() has returned.
+int CountWarnings(const std::string& messages);
+
 /// From now on calls `report` with the text of each error of VTK at once, and prints warnings.
 /// Neither is collected any more.
 void ReportErrors(void (*report)(const char* text));
