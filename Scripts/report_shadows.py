@@ -90,7 +90,7 @@ def fill(report, _):
         ["scene, path", "casters", "whole volumes, fragments a pixel", "in reach of the light, %",
          "the paper's method, fragments a pixel", "% of whole", "% of those in reach",
          "scattered litmap, %", "and several slabs, %", "and one box, %", "and tiles: `slabs`, %",
-         "default: `exact`, %", "% of those in reach"], rows)
+         "and boxes of pixels: `exact`, %", "% of those in reach"], rows)
 
 
 def fill_paper(report, _):

@@ -8,6 +8,7 @@
 #   Scripts/wheel.sh --sdk SDK        and one for the package vtk for each Python 3.10 to 3.13 that
 #                                     is found. From 3.12 on these wheels also have what is in the
 #                                     first one, and pip prefers them to it
+#   Scripts/wheel.sh --sdk SDK --python "3.10 3.13"    for these versions of Python only
 #
 # SDK is a folder that Scripts/make-vtk-sdk.sh has made, or an archive of it. A Python of the right
 # version is $PYTHON, python3.X in $PATH, or pyenv's, with its headers. What cannot be made is said in
@@ -18,10 +19,15 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 sdk=
+versions="3.10 3.11 3.12 3.13"
 while (($# > 0)); do
   case $1 in
     --sdk)
       sdk=$(realpath "${2:?--sdk needs a folder or an archive}")
+      shift
+      ;;
+    --python)
+      versions=${2:?--python needs versions}
       shift
       ;;
     *) nbuffer_fail "there is no argument $1" ;;
@@ -143,7 +149,7 @@ else
   fi
   package=$(echo "$sdk"/lib/cmake/vtk-*)
   [[ -f "$package/vtk-config.cmake" ]] || nbuffer_fail "$sdk is not an SDK of Scripts/make-vtk-sdk.sh"
-  for version in 3.10 3.11 3.12 3.13; do
+  for version in $versions; do
     if ! python=$(find_python "$version"); then
       printf 'SKIPPED: the wheel for the package vtk: Python %s is not found with its headers\n' "$version"
       continue
