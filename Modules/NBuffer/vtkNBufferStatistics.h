@@ -77,8 +77,9 @@ enum class vtkNBufferDecision : int
   UnsupportedWindow, ///< The window is a VR window, or the renderer's viewport has no pixels.
   OtherCuller,       ///< A culler comes after this one; it would not see what is held back.
   Blending,          ///< The image depends on the order of drawing: props share an object as
-                     ///< vtkNBufferVerdict::SharedMapper describes, or a prop blends among the
-                     ///< opaque ones, and too few candidates come before it.
+                     ///< vtkNBufferVerdict::SharedMapper describes, normals blend (ambient
+                     ///< occlusion over unlit props), or a prop blends among the opaque ones and
+                     ///< too few candidates come before it.
   OtherView,         ///< The camera, the viewport or the framebuffer cannot be tested, or is not
                      ///< the one of Cull(); all props were drawn.
   NoContext,         ///< Failure: the window has no OpenGL context.
