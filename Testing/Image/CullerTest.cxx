@@ -5,6 +5,7 @@
 
 #include "vtkCullerCollection.h"
 #include "vtkPNGWriter.h"
+#include "vtkVersion.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -111,7 +112,11 @@ Comparison::Comparison(const Change& build, const ComparisonOptions& options)
 Comparison::~Comparison()
 {
   this->CheckMessages(TakeMessages());
-  EXPECT_TRUE(this->HasShown || this->Frames == 0 || this->Options.MayBeOfOneColor)
+  // Old versions show nothing in some cases (SSAO in a part of the window, VTK 9.1).
+  const bool mayShowNothing =
+    vtkVersion::GetVTKMajorVersion() == 9 && vtkVersion::GetVTKMinorVersion() < 7;
+  EXPECT_TRUE(
+    mayShowNothing || this->HasShown || this->Frames == 0 || this->Options.MayBeOfOneColor)
     << "all pictures of this test are of one color";
 }
 
