@@ -3,6 +3,8 @@
 // From boxes to rectangles and depths: conservative for every sampled point, and not too much so.
 #include "Pixels.h"
 #include "SampledViews.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNBufferGLM.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferPixelTest.h"
 #include "vtkNBufferSurface.h"
@@ -323,6 +325,45 @@ TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
 
 INSTANTIATE_TEST_SUITE_P(Each, NBufferProjectionOfDepths, testing::ValuesIn(DepthConventions),
   [](const auto& info) { return std::string(DepthConventionNames[static_cast<int>(info.param)]); });
+
+// Hazard: a user matrix flattens a prop, and its inverse, which gives the planes of the faces of
+// the boxes in it, is nothing but rounding errors (found by fuzzing).
+TEST(NBufferProjectionOnce, FacesHoldWhereTheMatrixIsNearlySingular)
+{
+  ViewSampler sampler(23);
+  int checked = 0;
+  for (int n = 0; n < 3000; ++n)
+  {
+    View view = sampler.MakeView(0.0, n % 2 == 0);
+    const std::array<double, 6> bounds = sampler.MakeBounds(view);
+    const glm::dvec3 center = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+      0.5 * (bounds[4] + bounds[5]) };
+    // y and z go to nearly the same direction. That of x is kept, so that nothing of size is in
+    // the row of the inverse which gives x.
+    glm::dmat3 rows(1.0);
+    rows[1] = { 0.0, sampler.Uniform(-1, 1), sampler.Uniform(-1, 1) };
+    rows[2] = sampler.Uniform(-1, 1) * rows[1];
+    rows[2].z += n % 2 == 0 ? 0.0 : std::pow(10.0, sampler.Uniform(-20, -6));
+    const glm::dmat3 flat = glm::transpose(rows);
+    glm::dmat4 toWorld(flat);
+    toWorld[3] = glm::dvec4(center - flat * center, 1.0);
+    vtkMatrix4x4::Multiply4x4(
+      view.WorldToClip.data(), vtkNBufferGLM::ToRows(toWorld).data(), view.WorldToClip.data());
+
+    const vtkNBufferProjection projection = MakeProjection(view);
+    const ProjectedBox box(projection, bounds);
+    SCOPED_TRACE(GetText(view, box.Bounds));
+    for (const auto& point : sampler.MakePoints(bounds, 30))
+    {
+      if (const auto exact = ProjectExactly(view, point))
+      {
+        checked += box.IsInside();
+        ASSERT_NO_FATAL_FAILURE(CheckPoint(projection, box, false, *exact));
+      }
+    }
+  }
+  EXPECT_GT(checked, 10000);
+}
 
 // Hazard: the slack is several times as large as its derivation in vtkNBufferBoxError.h says, which
 // is safe but hides less. Each part of it is compared with the number of the derivation.

@@ -16,6 +16,13 @@ namespace
 constexpr double NearPlaneMargin = 1e-6;
 
 constexpr auto& Evaluate = vtkNBufferBoxError::Evaluate;
+
+/// The largest value that a linear function of the world has in a box.
+double GetLargest(const glm::dvec4& row, const vtkNBufferBox& box)
+{
+  return Evaluate(row, box.Center) + std::abs(row.x) * box.HalfSize.x +
+    std::abs(row.y) * box.HalfSize.y + std::abs(row.z) * box.HalfSize.z;
+}
 }
 
 /**
@@ -111,8 +118,7 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
   {
     const glm::dvec4& plane = this->Planes[i];
     // The value at the corner farthest inside, to which the errors of the device are added.
-    const double reach = Evaluate(plane, box.Center) + std::abs(plane.x) * box.HalfSize.x +
-      std::abs(plane.y) * box.HalfSize.y + std::abs(plane.z) * box.HalfSize.z;
+    const double reach = GetLargest(plane, box);
     if (reach < 0.0 &&
       reach + vtkNBufferBoxError::GetVertexError(this->WorldToClip[3], box) +
           vtkNBufferBoxError::GetVertexError(this->WorldToClip[i / 2], box) <
@@ -318,6 +324,7 @@ vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
   const vtkNBufferScreenBox& otherScreen) const
 {
   vtkNBufferBox shared = box;
+  const double otherNearestW = this->GetNearestW(other);
   for (int j = 0; j < 3; ++j)
   {
     double range[2];
@@ -326,10 +333,18 @@ vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
       const double sign = end == 0 ? -1.0 : 1.0;
       const double face = other.Center[j] + sign * other.HalfSize[j];
       const glm::dvec4 row = this->ClipToWorld[j] - face * this->ClipToWorld[3];
+      // What is left of (p_j - b) - N_j q + b N_3 q, which would be 0 if the inverse were exact.
+      glm::dvec4 rest = -this->ToWorld(row);
+      rest[j] += 1.0;
+      rest.w -= face;
+      const auto getRest = [&rest](const vtkNBufferBox& of)
+      { return std::max(GetLargest(rest, of), GetLargest(-rest, of)); };
       const double reach =
-        glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), screen.Slack + otherScreen.Slack);
+        glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), screen.Slack + otherScreen.Slack) +
+        getRest(other) / otherNearestW;
       range[end] = sign *
-        std::min(sign * face + screen.MaximumW * reach, sign * box.Center[j] + box.HalfSize[j]);
+        std::min(sign * face + screen.MaximumW * reach + getRest(box),
+          sign * box.Center[j] + box.HalfSize[j]);
     }
     if (range[0] > range[1])
     {
@@ -352,6 +367,26 @@ vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
   return pixels;
 }
 
+glm::dvec4 vtkNBufferProjection::ToWorld(const glm::dvec4& ofClip) const
+{
+  glm::dvec4 ofWorld(0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    ofWorld += ofClip[i] * this->WorldToClip[i];
+  }
+  return ofWorld;
+}
+
+double vtkNBufferProjection::GetNearestW(const vtkNBufferBox& box) const
+{
+  // With c the last row of the inverse matrix, w = (c q) / (c ndc), where q is the point in clip
+  // coordinates. Only for an exact inverse c q is 1.
+  const glm::dvec4& c = this->ClipToWorld[3];
+  const double inView = -GetLargest(-this->ToWorld(c), box) /
+    (std::abs(c.x) + std::abs(c.y) + std::abs(c.z) + std::abs(c.w));
+  return std::max(-GetLargest(-this->WorldToClip[3], box), inView);
+}
+
 std::optional<vtkNBufferProjection::FacePlane> vtkNBufferProjection::GetFacePlane(
   const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face) const
 {
@@ -360,10 +395,14 @@ std::optional<vtkNBufferProjection::FacePlane> vtkNBufferProjection::GetFacePlan
   const double offset = box.Center[axis] + sign * box.HalfSize[axis];
   // L(q) <= 0 on the inner side of the face, see GetContact().
   const glm::dvec4 l = sign * (this->ClipToWorld[axis] - offset * this->ClipToWorld[3]);
-  if (!(l.z < 0.0))
+  const double nearestW = this->GetNearestW(box);
+  if (!(l.z < 0.0) || !(nearestW > 0.0))
   {
     return {};
   }
+  // The inverse matrix is rounded, and of a matrix that is nearly singular it is mere noise. The
+  // plane is therefore moved to the corner of the box that is farthest beyond it.
+  const double beyond = std::max(GetLargest(this->ToWorld(l), box), 0.0) / nearestW;
   // z >= (l_x x + l_y y + l_w) / -l_z in NDC, then to pixels and order.
   const double x = -l.x / l.z;
   const double y = -l.y / l.z;
@@ -373,7 +412,7 @@ std::optional<vtkNBufferProjection::FacePlane> vtkNBufferProjection::GetFacePlan
   plane.SlopeY = 2.0 * format.Scale * y / this->Height;
   plane.Depth = format.Offset +
     format.Scale *
-      (-l.w / l.z - x - y - std::abs(x) * screen.Slack.x - std::abs(y) * screen.Slack.y -
+      ((beyond - l.w) / l.z - x - y - std::abs(x) * screen.Slack.x - std::abs(y) * screen.Slack.y -
         screen.Slack.z);
   if (!std::isfinite(plane.Depth) || !std::isfinite(plane.SlopeX) || !std::isfinite(plane.SlopeY))
   {

@@ -156,6 +156,11 @@ private:
   vtkNBufferPlacement Clip(const vtkNBufferBox& box, const Corners& corners, Extent& extent) const;
   vtkNBufferPlacement Finish(
     const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const;
+  /// The factors, in the world, of a linear function of clip coordinates.
+  glm::dvec4 ToWorld(const glm::dvec4& ofClip) const;
+  /// A bound of the clip coordinate w of points of the box in the view, not positive if there is
+  /// none.
+  double GetNearestW(const vtkNBufferBox& box) const;
 
   Rows WorldToClip{};
   Rows ClipToWorld{};
