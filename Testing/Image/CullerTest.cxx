@@ -111,10 +111,7 @@ Comparison::Comparison(const Change& build, const ComparisonOptions& options)
 Comparison::~Comparison()
 {
   this->CheckMessages(TakeMessages());
-  // Old versions show nothing in some cases (SSAO in a part of the window, VTK 9.1).
-  const bool mayShowNothing = !VTKNBUFFER_HAS_SSAO_IN_PARTS;
-  EXPECT_TRUE(
-    mayShowNothing || this->HasShown || this->Frames == 0 || this->Options.MayBeOfOneColor)
+  EXPECT_TRUE(this->HasShown || this->Frames == 0 || this->Options.MayBeOfOneColor)
     << "all pictures of this test are of one color";
 }
 

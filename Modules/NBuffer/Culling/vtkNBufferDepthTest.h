@@ -122,8 +122,10 @@ private:
     Visible,
     Unknown
   };
-  /// Whether a piece of a hidden candidate may be in front, given what hides the piece itself.
-  bool MayBeInFront(const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece);
+  /// The triangles of a piece of a hidden candidate that may be drawn in front of what hides the
+  /// piece itself.
+  vtkNBufferFaces::Triangles FindInFront(
+    const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece);
   Slivers FindSlivers(
     int i, const vtkNBufferFaceTest& faceTest, const vtkNBufferSliverTest& sliverTest);
 

@@ -78,7 +78,7 @@ struct vtkNBufferFaceTest::View
   double OfFaces;    ///< How much too large the product of a face and the eye may be.
 };
 
-bool vtkNBufferFaceTest::MayBeInFront(
+vtkNBufferFaces::Triangles vtkNBufferFaceTest::FindInFront(
   const vtkNBufferFaces& faces, const vtkNBufferFaces::Piece& piece, double clearance) const
 {
   // A quotient v / w differs from its value q at the center by (dv - q dw) / w.
@@ -97,7 +97,7 @@ bool vtkNBufferFaceTest::MayBeInFront(
   const double farthest = center.w + reach.w + error.w;
   if (!(nearest > 0.0))
   {
-    return true;
+    return vtkNBufferFaces::AllTriangles;
   }
 
   View view;
@@ -110,7 +110,7 @@ bool vtkNBufferFaceTest::MayBeInFront(
   // A device may cut what is not wholly in view, after which it may be lower.
   if (aside.x > this->Half.x || aside.y > this->Half.y || quotient.z - reach.z < -1.0)
   {
-    return true;
+    return vtkNBufferFaces::AllTriangles;
   }
   view.Error = this->Errors.GetPlaceError(error, error.w, view.OfNearest, aside, this->Half);
   view.Stretch = this->GetStretch(aside) * view.OfNearest;
@@ -136,13 +136,17 @@ bool vtkNBufferFaceTest::MayBeInFront(
   const double cube = farthest * farthest * farthest;
   const double least =
     view.OfFaces + cube * view.Stretch * (view.Lowest + 2.0 * (view.Error.x + view.Error.y));
-  const auto items = faces.GetFaces().begin();
-  return std::any_of(items + piece.Begin, items + piece.End,
-    [&](const vtkNBufferFaces::Face& face)
+  vtkNBufferFaces::Triangles found = 0;
+  for (unsigned int i = piece.Begin; i < piece.End; ++i)
+  {
+    const vtkNBufferFaces::Face& face = faces.GetFaces()[i];
+    if (!(std::abs(glm::dot(glm::dvec4(face), view.Eye)) >= least) &&
+      this->MayBeInFront(face, view))
     {
-      return !(std::abs(glm::dot(glm::dvec4(face), view.Eye)) >= least) &&
-        this->MayBeInFront(face, view);
-    });
+      found |= faces.GetTriangles()[i];
+    }
+  }
+  return found;
 }
 
 bool vtkNBufferFaceTest::MayBeInFront(const vtkNBufferFaces::Face& face, const View& view) const
