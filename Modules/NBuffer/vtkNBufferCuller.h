@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferCuller
- * @brief Draws only the props that can be seen; the image stays the same to the bit.
+ * @brief Draws only the props that can be seen; the image stays the same to the bit, except for the
+ * cases that docs/limits.md names.
  *
  * @code
  * vtkNew<vtkNBufferCuller> culler;

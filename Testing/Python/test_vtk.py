@@ -73,6 +73,11 @@ def test_verdicts(window):
     look(window, 0)
     front, back = (actors.GetItemAsObject(i) for i in (60, 575 - 60))
     assert vtknbuffer.verdict(culler, front) == "Visible"
+    pixels = [0, 0, 0, 0]
+    assert culler.GetVisiblePixels(front, pixels)
+    assert pixels[0] < pixels[2] and pixels[1] < pixels[3]
+    assert not culler.GetVisiblePixels(back, pixels)
+    assert pixels == [0, 0, 0, 0]
     assert vtknbuffer.verdict(culler, back) == "Hidden"
     assert culler.GetVerdict(back) == vtknbuffer.vtkNBufferVerdict.Hidden
     assert vtknbuffer.verdict(culler, back, part=0) == "Hidden"
