@@ -16,8 +16,8 @@
 //
 // Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth), as
 // Build() was called for, or both (vtkNBufferTexture::SetBothExtrema()). NBufferFarthestOfSquare(),
-// NBufferFarthest(), NBufferFarthestPixels() and NBufferHides() read maxima; NBufferNearestInOne()
-// and NBufferShows() read minima. The depths that they find are those of vtkNBufferLevels::Query(),
+// NBufferFarthest(), NBufferFarthestPixels() and NBufferHides() read maxima; NBufferNearestInOne(),
+// NBufferNearestPixels() and NBufferShows() read minima. The depths that they find are those of vtkNBufferLevels::Query(),
 // and the pixels those of vtkNBufferLevels::FindPixels(), for the same levels, bit for bit.
 //
 // Units. Rectangles are half-open, (x0, y0, x1, y1) with x0 <= x < x1 and y upwards, in pixels that
@@ -35,7 +35,7 @@
 //
 // Cost. One texelFetch, or at most four, whatever the size of the rectangle, and some dozens of
 // integer operations; no loop has more than four turns, and no derivatives are used. Only
-// NBufferFarthestPixels() fetches up to four texels of each level.
+// NBufferFarthestPixels() and NBufferNearestPixels() fetch up to four texels of each level.
 //
 // Sources: X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3),
 // 2005, sections 2 and 3.2; for NBufferShows() M. Turitzin, "Hierarchical Depth Buffers", 2020.
@@ -163,14 +163,12 @@ float NBufferFarthest(
   return NBufferFindFarthest(even, odd, shape, pixels, place);
 }
 
-// Where the depth of NBufferFarthest() is: the pixels of a texel of level 0 that has it, as
-// (x0, y0, x1, y1), at most shape.factor along each side. All four are 0 if no pixel of the
-// rectangle is inside the image or the level is not built.
-ivec4 NBufferFarthestPixels(
-  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
+// The pixels of a texel of level 0 that has the same depth as a texel of any level, given by its
+// place in x and y, its level in z, and its channel.
+ivec4 NBufferFindPixels(sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec3 place,
+  int channel)
 {
-  ivec3 place;
-  float farthest = NBufferFindFarthest(even, odd, shape, pixels, place);
+  float depth = NBufferFetch(even, odd, place.z, place.xy, channel);
   ivec2 last = NBufferGetLastTexel(shape);
   while (place.z > 0)
   {
@@ -178,7 +176,7 @@ ivec4 NBufferFarthestPixels(
     --place.z;
     int i = 0;
     ivec2 texel = place.xy;
-    while (i < 3 && NBufferFetch(even, odd, place.z, texel, 0) != farthest)
+    while (i < 3 && NBufferFetch(even, odd, place.z, texel, channel) != depth)
     {
       ++i;
       texel = min(place.xy + ivec2(i % 2, i / 2) * (1 << place.z), last);
@@ -186,7 +184,18 @@ ivec4 NBufferFarthestPixels(
     place.xy = texel;
   }
   ivec2 begin = place.xy * shape.factor;
-  return place.z < 0 ? ivec4(0) : ivec4(begin, min(begin + ivec2(shape.factor), shape.size));
+  return ivec4(begin, min(begin + ivec2(shape.factor), shape.size));
+}
+
+// Where the depth of NBufferFarthest() is: the pixels of a texel of level 0 that has it, as
+// (x0, y0, x1, y1), at most shape.factor along each side. All four are 0 if no pixel of the
+// rectangle is inside the image or the level is not built.
+ivec4 NBufferFarthestPixels(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
+{
+  ivec3 place;
+  NBufferFindFarthest(even, odd, shape, pixels, place);
+  return place.z < 0 ? ivec4(0) : NBufferFindPixels(even, odd, shape, place, 0);
 }
 
 // Whether everything that is drawn in a rectangle of pixels and is nowhere nearer than `nearest` is
@@ -198,22 +207,37 @@ bool NBufferHides(
     NBufferToTexels(shape, pixels) == ivec4(0);
 }
 
+// The texel whose square contains a rectangle, its place in x and y and its level in z; z is -1 if
+// no pixel of the rectangle is inside the image, and -2 if the level is not built.
+ivec3 NBufferGetSquare(NBufferShape shape, ivec4 pixels)
+{
+  ivec4 texels = NBufferToTexels(shape, pixels);
+  ivec2 size = texels.zw - texels.xy;
+  if (size.x == 0)
+  {
+    return ivec3(-1);
+  }
+  int level = NBufferCeilLog2(max(size.x, size.y));
+  return level < shape.levels ? ivec3(NBufferGetStart(texels, level, ivec2(0)), level) : ivec3(-2);
+}
+
 // The nearest depth over a rectangle, of an N-buffer of minima, in one lookup. If the square is
 // larger than the rectangle, the result may be nearer. Returns 1 if no pixel of the rectangle is
 // inside the image, and 0 if the level is not built.
 float NBufferNearestInOne(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
 {
-  ivec4 texels = NBufferToTexels(shape, pixels);
-  ivec2 size = texels.zw - texels.xy;
-  if (size.x == 0)
-  {
-    return 1.0;
-  }
-  int level = NBufferCeilLog2(max(size.x, size.y));
-  return level < shape.levels
-    ? NBufferFetch(even, odd, level, NBufferGetStart(texels, level, ivec2(0)), shape.minima)
-    : 0.0;
+  ivec3 place = NBufferGetSquare(shape, pixels);
+  return place.z < 0 ? float(place.z + 2)
+                     : NBufferFetch(even, odd, place.z, place.xy, shape.minima);
+}
+
+// Where the depth of NBufferNearestInOne() is, as NBufferFarthestPixels() says it.
+ivec4 NBufferNearestPixels(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
+{
+  ivec3 place = NBufferGetSquare(shape, pixels);
+  return place.z < 0 ? ivec4(0) : NBufferFindPixels(even, odd, shape, place, shape.minima);
 }
 
 // Whether everything that is drawn in a rectangle of pixels and is nowhere farther than `farthest`

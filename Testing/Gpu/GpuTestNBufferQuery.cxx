@@ -84,7 +84,7 @@ Answer GetAnswer(const vtkNBufferLevels& levels, int known, const Query& query)
     const vtkNBufferCover cover =
       isMaximum ? vtkNBufferMath::GetCoverOfFour(texels) : vtkNBufferMath::GetCoverOfOne(texels);
     answer[0] = cover.Level < known ? levels.Query(cover) : unknown;
-    if (isMaximum && cover.Level < known)
+    if (cover.Level < known)
     {
       const vtkNBufferRectangle place = levels.FindPixels(cover);
       answer[3] = static_cast<float>(

@@ -32,6 +32,7 @@
 #include "vtkCullerCollection.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMPIController.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPropCollection.h"
@@ -333,24 +334,30 @@ bool IsCutWrong(const CulledWindow& window, vtkMultiProcessController* controlle
   return isWrong;
 }
 
-/// Adds the actors that belong to a process, or those of all processes, the last one's first. The
-/// actors are the window's own: VTK would make their OpenGL objects anew if several windows had
-/// them.
+/// Adds copies of the actors that belong to a process, or of those of all processes, the last one's
+/// first. They have mappers of their own: VTK would make the OpenGL objects of a mapper anew if
+/// several windows had it.
 void AddActors(const NBufferExamples::Scene& scene, const std::vector<int>& owners, int processes,
   int rank, vtkRenderer* renderer)
 {
-  scene.AddTo(renderer);
-  renderer->RemoveAllViewProps();
+  NBufferExamples::Scene copy = scene;
+  copy.Actors.clear();
   for (int process = processes - 1; process >= 0; --process)
   {
     for (std::size_t i = 0; i < owners.size(); ++i)
     {
       if (owners[i] == process && (rank < 0 || rank == process))
       {
-        renderer->AddViewProp(scene.Actors[i]);
+        vtkMapper* original = scene.Actors[i]->GetMapper();
+        const auto mapper = vtkSmartPointer<vtkMapper>::Take(original->NewInstance());
+        mapper->ShallowCopy(original);
+        copy.Actors.push_back(vtkSmartPointer<vtkActor>::New());
+        copy.Actors.back()->ShallowCopy(scene.Actors[i]);
+        copy.Actors.back()->SetMapper(mapper);
       }
     }
   }
+  copy.AddTo(renderer);
 }
 
 /// On the first process: prints how two pictures of a frame differ, and returns whether they do.
@@ -385,13 +392,11 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
     culled.emplace_back(options, controller, mode == "shared");
     windows.push_back(&culled.back().Shown);
   }
-  std::vector<NBufferExamples::Scene> scenes;
   for (Window* window : windows)
   {
     if (window != &alone || drawsAlone)
     {
-      scenes.push_back(NBufferExamples::LoadScene({ options.Scene }, { program }));
-      AddActors(scenes.back(), owners, processes, window == &alone ? -1 : rank, window->Renderer);
+      AddActors(scene, owners, processes, window == &alone ? -1 : rank, window->Renderer);
     }
   }
 
