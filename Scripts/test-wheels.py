@@ -5,9 +5,9 @@
 
 For each Python and each wheel that it can use, a virtual environment is made with the VTK that the
 wheel needs. In a folder that is empty it runs a smoke test (Testing/Python/smoke_wheel.py) with each
-of the versions that --vtk names, and all tests in Testing/Python with the first one and PyVista. The
-part for cvista is the same file in several wheels; all tests run with the one that pip chooses. It
-also checks that a wheel refuses a VTK for which it has no module.
+of the versions that --vtk names, and, unless --smoke is given, all tests in Testing/Python with the
+first one and PyVista. The part for cvista is the same file in several wheels; all tests run with the
+one that pip chooses. It also checks that a wheel refuses a VTK for which it has no module.
 
 What cannot be tested is said in a line that begins with "SKIPPED: ". The exit status is 1 if a test
 failed, and 125 if none could run.
@@ -133,7 +133,7 @@ def test_wheel(wheel, packages, python, version, options, tested):
             print(f"   {package} {number}, {time.monotonic() - begin:.0f} s after the start", flush=True)
             environment.install(f"vtk=={number}" if package == "vtk" else CVISTA)
             run_smoke_test(environment, package)
-            if i == 0 and package not in tested:
+            if i == 0 and package not in tested and not options.smoke:
                 run_pytest(environment, package)
                 tested.add(package)
     if packages == ("cvista",):
@@ -151,6 +151,7 @@ def main():
     parser.add_argument("dist", nargs="?", type=pathlib.Path, default=SOURCE / "dist")
     parser.add_argument("--python", nargs="+", default=PYTHONS, metavar="3.X", choices=PYTHONS)
     parser.add_argument("--vtk", nargs="+", default=["9.7.0", "9.7.1", "9.7.2"], metavar="9.7.X")
+    parser.add_argument("--smoke", action="store_true", help="only the smoke tests")
     parser.add_argument("--work", type=pathlib.Path, default=SOURCE / "build/wheel/test")
     options = parser.parse_args()
     options.dist, options.work = options.dist.resolve(), options.work.resolve()
