@@ -354,7 +354,7 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   vtkNBufferFaces faces;
   faces.Set(ofProp, { placed }, box);
   return vtkNBufferFaceTest(projection, 0.0)
-           .FindInFront(faces, faces.GetPieces().front(), screen.Nearest - z) != 0 &&
+           .MayBeInFront(faces, faces.GetPieces().front(), screen.Nearest - z) &&
     vtkNBufferSliverTest(projection, levels, depth.data(), 0.0)
       .MayBeSeen(mesh, 0, 1, placed.ToWorld.data(), box, screen);
 }

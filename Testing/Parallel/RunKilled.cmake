@@ -3,7 +3,7 @@
 
 # Run by CTest with -D: mpiexec, program. One process is killed in frame 4. MPI must say so and end
 # the others with an error; a time-out is a failure.
-execute_process(COMMAND "${mpiexec}" -n 3 "${program}" --case killed --frames 12 --width 320 --height 240
+execute_process(COMMAND "${mpiexec}" -n 3 "${program}" --case killed --thinned 8 --frames 12 --width 320 --height 240
   TIMEOUT 150 RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 message("${output}")
 if (output MATCHES "SKIPPED: ")

@@ -32,9 +32,9 @@
 #include "vtkCullerCollection.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMPIController.h"
-#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkSelection.h"
@@ -70,6 +70,7 @@ struct Options
   int Frames = 12;
   int Size[2] = { 480, 360 };
   int TileSize = 4;
+  int Thinned = 1; ///< One of so many houses of the city is drawn.
   bool NoBackOff = false;
   bool OnScreen = false;
 };
@@ -334,6 +335,23 @@ bool IsCutWrong(const CulledWindow& window, vtkMultiProcessController* controlle
   return isWrong;
 }
 
+NBufferExamples::Scene LoadThinned(const Options& options, const char* program)
+{
+  NBufferExamples::Scene scene = NBufferExamples::LoadScene({ options.Scene }, { program });
+  // The ground and the streets, which come after the houses, stay.
+  const std::size_t houses = scene.Plan ? scene.Plan->Buildings.size() : 0;
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  for (std::size_t i = 0; i < scene.Actors.size(); ++i)
+  {
+    if (i >= houses || i % options.Thinned == 0)
+    {
+      actors.push_back(scene.Actors[i]);
+    }
+  }
+  scene.Actors.swap(actors);
+  return scene;
+}
+
 /// Adds copies of the actors that belong to a process, or of those of all processes, the last one's
 /// first. They have mappers of their own: VTK would make the OpenGL objects of a mapper anew if
 /// several windows had it.
@@ -348,9 +366,9 @@ void AddActors(const NBufferExamples::Scene& scene, const std::vector<int>& owne
     {
       if (owners[i] == process && (rank < 0 || rank == process))
       {
-        vtkMapper* original = scene.Actors[i]->GetMapper();
-        const auto mapper = vtkSmartPointer<vtkMapper>::Take(original->NewInstance());
-        mapper->ShallowCopy(original);
+        vtkNew<vtkPolyDataMapper> mapper;
+        // Not that of vtkOpenGLPolyDataMapper, whose use of its own functions VTK 9.1 warns of.
+        mapper->vtkPolyDataMapper::ShallowCopy(scene.Actors[i]->GetMapper());
         copy.Actors.push_back(vtkSmartPointer<vtkActor>::New());
         copy.Actors.back()->ShallowCopy(scene.Actors[i]);
         copy.Actors.back()->SetMapper(mapper);
@@ -377,7 +395,7 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
 {
   const int rank = controller->GetLocalProcessId();
   const int processes = controller->GetNumberOfProcesses();
-  const NBufferExamples::Scene scene = NBufferExamples::LoadScene({ options.Scene }, { program });
+  const NBufferExamples::Scene scene = LoadThinned(options, program);
   double bounds[6];
   scene.GetBounds().GetBounds(bounds);
   const std::vector<int> owners = NBufferExamples::SpreadActors(scene, options.Spread, processes);
@@ -497,6 +515,8 @@ int main(int argc, char* argv[])
   app.add_option("--compositer", options.Compositer, "vtkTreeCompositer or vtkCompressCompositer")
     ->check(CLI::IsMember({ "tree", "compress" }));
   app.add_option("--frames", options.Frames);
+  app.add_option("--thinned", options.Thinned, "use one of so many houses of the city")
+    ->check(CLI::PositiveNumber);
   app.add_option("--width", options.Size[0]);
   app.add_option("--height", options.Size[1]);
   app.add_option("--tile", options.TileSize);

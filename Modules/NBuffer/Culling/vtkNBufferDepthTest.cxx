@@ -187,22 +187,19 @@ const float* vtkNBufferDepthTest::GetDepth(const std::vector<int>& places)
   return this->Backend.GetDepth(this->GetJob(1), rectangles);
 }
 
-vtkNBufferFaces::Triangles vtkNBufferDepthTest::FindInFront(
+bool vtkNBufferDepthTest::MayBeInFront(
   const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece)
 {
   vtkNBufferScreenBox screen;
   const vtkNBufferPlacement placement = this->Projection.Project(piece.GetBox(), screen);
   if (placement != vtkNBufferPlacement::Inside)
   {
-    return placement == vtkNBufferPlacement::Crossing ? vtkNBufferFaces::AllTriangles : 0;
+    return placement == vtkNBufferPlacement::Crossing;
   }
   const double clearance =
     vtkNBufferOcclusionTest(this->Levels, this->SampleDistance).GetClearance(screen);
-  if (!(clearance > 0.0))
-  {
-    return vtkNBufferFaces::AllTriangles;
-  }
-  return std::isinf(clearance) ? 0 : faceTest.FindInFront(this->Props.GetFaces(), piece, clearance);
+  return !(clearance > 0.0) ||
+    (!std::isinf(clearance) && faceTest.MayBeInFront(this->Props.GetFaces(), piece, clearance));
 }
 
 vtkNBufferDepthTest::Slivers vtkNBufferDepthTest::FindSlivers(
@@ -214,9 +211,7 @@ vtkNBufferDepthTest::Slivers vtkNBufferDepthTest::FindSlivers(
   for (unsigned int place = ofProp.Begin; place < ofProp.End; ++place)
   {
     const vtkNBufferFaces::Piece& piece = faces.GetPieces()[place];
-    vtkNBufferFaces::Triangles triangles = faceTest.FindInFront(faces, piece, clearance);
-    triangles &= triangles ? this->FindInFront(faceTest, piece) : 0;
-    if (!triangles)
+    if (!faceTest.MayBeInFront(faces, piece, clearance) || !this->MayBeInFront(faceTest, piece))
     {
       continue;
     }
@@ -232,7 +227,8 @@ vtkNBufferDepthTest::Slivers vtkNBufferDepthTest::FindSlivers(
       return Slivers::Hidden;
     }
     const vtkNBufferMeshes::Placed& mesh = meshes[piece.Mesh];
-    if (sliverTest.MayBeSeen(*mesh.Mesh, piece.Triangle, triangles, mesh.ToWorld.data(),
+    if (sliverTest.MayBeSeen(*mesh.Mesh, piece.Triangle,
+          piece.Triangle + vtkNBufferFaces::TrianglesOfPiece, mesh.ToWorld.data(),
           this->Props.GetBox(i), *screen))
     {
       return Slivers::Visible;

@@ -122,10 +122,8 @@ private:
     Visible,
     Unknown
   };
-  /// The triangles of a piece of a hidden candidate that may be drawn in front of what hides the
-  /// piece itself.
-  vtkNBufferFaces::Triangles FindInFront(
-    const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece);
+  /// Whether a piece of a hidden candidate may be in front, given what hides the piece itself.
+  bool MayBeInFront(const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece);
   Slivers FindSlivers(
     int i, const vtkNBufferFaceTest& faceTest, const vtkNBufferSliverTest& sliverTest);
 

@@ -78,7 +78,7 @@ struct vtkNBufferFaceTest::View
   double OfFaces;    ///< How much too large the product of a face and the eye may be.
 };
 
-vtkNBufferFaces::Triangles vtkNBufferFaceTest::FindInFront(
+bool vtkNBufferFaceTest::MayBeInFront(
   const vtkNBufferFaces& faces, const vtkNBufferFaces::Piece& piece, double clearance) const
 {
   // A quotient v / w differs from its value q at the center by (dv - q dw) / w.
@@ -97,7 +97,7 @@ vtkNBufferFaces::Triangles vtkNBufferFaceTest::FindInFront(
   const double farthest = center.w + reach.w + error.w;
   if (!(nearest > 0.0))
   {
-    return vtkNBufferFaces::AllTriangles;
+    return true;
   }
 
   View view;
@@ -110,7 +110,7 @@ vtkNBufferFaces::Triangles vtkNBufferFaceTest::FindInFront(
   // A device may cut what is not wholly in view, after which it may be lower.
   if (aside.x > this->Half.x || aside.y > this->Half.y || quotient.z - reach.z < -1.0)
   {
-    return vtkNBufferFaces::AllTriangles;
+    return true;
   }
   view.Error = this->Errors.GetPlaceError(error, error.w, view.OfNearest, aside, this->Half);
   view.Stretch = this->GetStretch(aside) * view.OfNearest;
@@ -136,17 +136,13 @@ vtkNBufferFaces::Triangles vtkNBufferFaceTest::FindInFront(
   const double cube = farthest * farthest * farthest;
   const double least =
     view.OfFaces + cube * view.Stretch * (view.Lowest + 2.0 * (view.Error.x + view.Error.y));
-  vtkNBufferFaces::Triangles found = 0;
-  for (unsigned int i = piece.Begin; i < piece.End; ++i)
-  {
-    const vtkNBufferFaces::Face& face = faces.GetFaces()[i];
-    if (!(std::abs(glm::dot(glm::dvec4(face), view.Eye)) >= least) &&
-      this->MayBeInFront(face, view))
+  const auto items = faces.GetFaces().begin();
+  return std::any_of(items + piece.Begin, items + piece.End,
+    [&](const vtkNBufferFaces::Face& face)
     {
-      found |= faces.GetTriangles()[i];
-    }
-  }
-  return found;
+      return !(std::abs(glm::dot(glm::dvec4(face), view.Eye)) >= least) &&
+        this->MayBeInFront(face, view);
+    });
 }
 
 bool vtkNBufferFaceTest::MayBeInFront(const vtkNBufferFaces::Face& face, const View& view) const

@@ -60,11 +60,10 @@ public:
   /// vtkNBufferSliverTest.
   vtkNBufferFaceTest(const vtkNBufferProjection& projection, double sampleDistance);
 
-  /// The triangles of the piece that may be drawn in front of the farthest depth that is stored
-  /// where their prop may be drawn. The others cannot. `clearance` is by how much this depth is
-  /// nearer than the nearest depth of the prop's box; it is 0 if the prop was found hidden in
-  /// another way.
-  vtkNBufferFaces::Triangles FindInFront(
+  /// False only if no triangle of the piece can be drawn in front of the farthest depth that is
+  /// stored where its prop may be drawn. `clearance` is by how much this depth is nearer than the
+  /// nearest depth of the prop's box; it is 0 if the prop was found hidden in another way.
+  bool MayBeInFront(
     const vtkNBufferFaces& faces, const vtkNBufferFaces::Piece& piece, double clearance) const;
 
 private:

@@ -35,10 +35,8 @@ void vtkNBufferFaces::ReleaseUnused(std::vector<OfProp>& ofProps, double share)
   }
   std::vector<Piece> pieces;
   std::vector<Face> faces;
-  std::vector<Triangles> triangles;
   pieces.reserve(used);
   faces.reserve(usedFaces);
-  triangles.reserve(usedFaces);
   for (OfProp& ofProp : ofProps)
   {
     const auto begin = static_cast<unsigned int>(pieces.size());
@@ -46,10 +44,7 @@ void vtkNBufferFaces::ReleaseUnused(std::vector<OfProp>& ofProps, double share)
     {
       Piece piece = this->Pieces[ofProp.Begin];
       const auto first = static_cast<unsigned int>(faces.size());
-      const auto move = [&piece](const auto& from, auto& to)
-      { to.insert(to.end(), from.begin() + piece.Begin, from.begin() + piece.End); };
-      move(this->Items, faces);
-      move(this->ItemTriangles, triangles);
+      faces.insert(faces.end(), this->Items.begin() + piece.Begin, this->Items.begin() + piece.End);
       piece.Begin = first;
       piece.End = static_cast<unsigned int>(faces.size());
       pieces.push_back(piece);
@@ -59,7 +54,6 @@ void vtkNBufferFaces::ReleaseUnused(std::vector<OfProp>& ofProps, double share)
   }
   this->Pieces.swap(pieces);
   this->Items.swap(faces);
-  this->ItemTriangles.swap(triangles);
 }
 
 void vtkNBufferFaces::Set(
@@ -110,9 +104,8 @@ void vtkNBufferFaces::Add(const std::vector<Corners>& triangles, const glm::dvec
   glm::dvec3 normal(0.0);
   double offset = 0.0;
   double height = 0.0;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  for (const Corners& p : triangles)
   {
-    const Corners& p = triangles[i];
     const auto [shortest, longest] = std::minmax(
       { glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0]) });
     if (shortest == 0.0)
@@ -132,9 +125,7 @@ void vtkNBufferFaces::Add(const std::vector<Corners>& triangles, const glm::dvec
       offset = glm::dot(normal, p[0] - origin);
       height = std::numeric_limits<double>::infinity();
       this->Items.emplace_back();
-      this->ItemTriangles.push_back(0);
     }
-    this->ItemTriangles.back() |= Triangles(1) << i;
     // The height of what the triangle covers in the plane of the face. It is NaN, and the face is
     // never ruled out, if a point is not finite.
     const double own = std::abs(glm::dot(normal, cross)) / longest;

@@ -6,7 +6,7 @@
  *
  * A face is a sequence of triangles of a mesh in one plane. Let n be its unit normal, a one of its
  * points, and h the smallest height of its triangles over their longest sides. What is kept of a
- * face is (h n, -h n . a), 16 bytes, and elsewhere, 4 bytes, which triangles it has.
+ * face is (h n, -h n . a), 16 bytes.
  *
  * The faces of a mesh form pieces of TrianglesOfPiece triangles, each with its box, and a is
  * relative to the center of the piece. A piece takes 80 bytes. Pieces and faces of all props lie in
@@ -22,7 +22,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -36,10 +35,6 @@ public:
   static constexpr std::size_t TrianglesOfPiece = 32;
 
   using Face = glm::vec4;
-
-  /// Some of the triangles of a piece, one bit for each, the first one in the lowest bit.
-  using Triangles = std::uint32_t;
-  static constexpr Triangles AllTriangles = ~Triangles(0);
 
   struct Piece
   {
@@ -86,8 +81,6 @@ public:
 
   const std::vector<Piece>& GetPieces() const { return this->Pieces; }
   const std::vector<Face>& GetFaces() const { return this->Items; }
-  /// The triangles of each face.
-  const std::vector<Triangles>& GetTriangles() const { return this->ItemTriangles; }
 
 private:
   /// Add the faces of a sequence of triangles. The planes are relative to `origin`.
@@ -96,7 +89,6 @@ private:
 
   std::vector<Piece> Pieces;
   std::vector<Face> Items;
-  std::vector<Triangles> ItemTriangles;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -16,13 +16,6 @@ namespace
 constexpr double NearPlaneMargin = 1e-6;
 
 constexpr auto& Evaluate = vtkNBufferBoxError::Evaluate;
-
-/// The largest value that a linear function of the world has in a box.
-double GetLargest(const glm::dvec4& row, const vtkNBufferBox& box)
-{
-  return Evaluate(row, box.Center) + std::abs(row.x) * box.HalfSize.x +
-    std::abs(row.y) * box.HalfSize.y + std::abs(row.z) * box.HalfSize.z;
-}
 }
 
 /**
@@ -95,11 +88,10 @@ void vtkNBufferProjection::Set(const double worldToClip[16], int width, int heig
   this->Error.Set(format, origin, glm::ivec2(width, height), subpixelBits);
   // If there is no inverse all its elements are NaN, which every comparison below takes for
   // "unknown".
-  const glm::dmat4 clipToWorld = vtkNBufferGLM::Invert(vtkNBufferGLM::ToMatrix(worldToClip));
+  this->ClipToWorld.Set(worldToClip);
   for (int i = 0; i < 4; ++i)
   {
     this->WorldToClip[i] = glm::make_vec4(worldToClip + 4 * i);
-    this->ClipToWorld[i] = glm::row(clipToWorld, i);
   }
   for (int plane = 0; plane < 6; ++plane)
   {
@@ -118,7 +110,7 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
   {
     const glm::dvec4& plane = this->Planes[i];
     // The value at the corner farthest inside, to which the errors of the device are added.
-    const double reach = GetLargest(plane, box);
+    const double reach = vtkNBufferClipToWorld::GetLargest(plane, box);
     if (reach < 0.0 &&
       reach + vtkNBufferBoxError::GetVertexError(this->WorldToClip[3], box) +
           vtkNBufferBoxError::GetVertexError(this->WorldToClip[i / 2], box) <
@@ -186,11 +178,11 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
   for (int corner = 0; corner < 4; ++corner)
   {
     const glm::dvec3 ndc = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0 };
-    const double w = Evaluate(this->ClipToWorld[3], ndc);
+    const double w = Evaluate(this->ClipToWorld.GetRow(3), ndc);
     bool inside = true;
     for (int j = 0; j < 3; ++j)
     {
-      const double distance = Evaluate(this->ClipToWorld[j], ndc) / w - box.Center[j];
+      const double distance = Evaluate(this->ClipToWorld.GetRow(j), ndc) / w - box.Center[j];
       inside = inside &&
         !(std::abs(distance) >
           box.HalfSize[j] + NearPlaneMargin * (std::abs(box.Center[j]) + box.HalfSize[j]));
@@ -324,7 +316,7 @@ vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
   const vtkNBufferScreenBox& otherScreen) const
 {
   vtkNBufferBox shared = box;
-  const double otherNearestW = this->GetNearestW(other);
+  const double perOtherW = this->ClipToWorld.GetLargestInverseW(other);
   for (int j = 0; j < 3; ++j)
   {
     double range[2];
@@ -332,18 +324,13 @@ vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
     {
       const double sign = end == 0 ? -1.0 : 1.0;
       const double face = other.Center[j] + sign * other.HalfSize[j];
-      const glm::dvec4 row = this->ClipToWorld[j] - face * this->ClipToWorld[3];
-      // What is left of (p_j - b) - N_j q + b N_3 q, which would be 0 if the inverse were exact.
-      glm::dvec4 rest = -this->ToWorld(row);
-      rest[j] += 1.0;
-      rest.w -= face;
-      const auto getRest = [&rest](const vtkNBufferBox& of)
-      { return std::max(GetLargest(rest, of), GetLargest(-rest, of)); };
+      const glm::dvec4 row = this->ClipToWorld.GetFace(j, face);
       const double reach =
         glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), screen.Slack + otherScreen.Slack) +
-        getRest(other) / otherNearestW;
+        this->ClipToWorld.GetError(row, j, face, other) * perOtherW;
       range[end] = sign *
-        std::min(sign * face + screen.MaximumW * reach + getRest(box),
+        std::min(
+          sign * face + screen.MaximumW * reach + this->ClipToWorld.GetError(row, j, face, box),
           sign * box.Center[j] + box.HalfSize[j]);
     }
     if (range[0] > range[1])
@@ -367,26 +354,6 @@ vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
   return pixels;
 }
 
-glm::dvec4 vtkNBufferProjection::ToWorld(const glm::dvec4& ofClip) const
-{
-  glm::dvec4 ofWorld(0.0);
-  for (int i = 0; i < 4; ++i)
-  {
-    ofWorld += ofClip[i] * this->WorldToClip[i];
-  }
-  return ofWorld;
-}
-
-double vtkNBufferProjection::GetNearestW(const vtkNBufferBox& box) const
-{
-  // With c the last row of the inverse matrix, w = (c q) / (c ndc), where q is the point in clip
-  // coordinates. Only for an exact inverse c q is 1.
-  const glm::dvec4& c = this->ClipToWorld[3];
-  const double inView = -GetLargest(-this->ToWorld(c), box) /
-    (std::abs(c.x) + std::abs(c.y) + std::abs(c.z) + std::abs(c.w));
-  return std::max(-GetLargest(-this->WorldToClip[3], box), inView);
-}
-
 std::optional<vtkNBufferProjection::FacePlane> vtkNBufferProjection::GetFacePlane(
   const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face) const
 {
@@ -394,15 +361,15 @@ std::optional<vtkNBufferProjection::FacePlane> vtkNBufferProjection::GetFacePlan
   const double sign = face % 2 == 0 ? -1.0 : 1.0;
   const double offset = box.Center[axis] + sign * box.HalfSize[axis];
   // L(q) <= 0 on the inner side of the face, see GetContact().
-  const glm::dvec4 l = sign * (this->ClipToWorld[axis] - offset * this->ClipToWorld[3]);
-  const double nearestW = this->GetNearestW(box);
-  if (!(l.z < 0.0) || !(nearestW > 0.0))
+  const glm::dvec4 l = sign * this->ClipToWorld.GetFace(axis, offset);
+  if (!(l.z < 0.0))
   {
     return {};
   }
-  // The inverse matrix is rounded, and of a matrix that is nearly singular it is mere noise. The
-  // plane is therefore moved to the corner of the box that is farthest beyond it.
-  const double beyond = std::max(GetLargest(this->ToWorld(l), box), 0.0) / nearestW;
+  // Because the inverse is rounded, the face passes the corner that is farthest beyond it.
+  const double beyond =
+    std::max(vtkNBufferClipToWorld::GetLargest(this->ClipToWorld.ToWorld(l), box), 0.0) *
+    this->ClipToWorld.GetLargestInverseW(box);
   // z >= (l_x x + l_y y + l_w) / -l_z in NDC, then to pixels and order.
   const double x = -l.x / l.z;
   const double y = -l.y / l.z;

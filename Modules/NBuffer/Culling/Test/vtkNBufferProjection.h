@@ -22,6 +22,7 @@
 #define vtkNBufferProjection_h
 
 #include "vtkNBufferBoxError.h"
+#include "vtkNBufferClipToWorld.h"
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferScreenBox.h"
@@ -121,8 +122,8 @@ public:
    * point q of a world point p. For the upper face, L is not positive at any point of the other
    * box. Between two fragments in one place, L differs by no more than r = sum_k |N_jk - b N_3k|
    * (slack_k of one + slack_k of the other). So p_j <= b + w_max r for a fragment of this box,
-   * whose largest w is w_max. The same holds for lower faces, with the opposite sign. Takes about
-   * 0.15 us.
+   * whose largest w is w_max. The same holds for lower faces, with the opposite sign. To both sides
+   * comes the error of L (vtkNBufferClipToWorld.h). Takes about 0.15 us.
    */
   vtkNBufferRectangle GetContact(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen,
     const vtkNBufferBox& other, const vtkNBufferScreenBox& otherScreen) const;
@@ -156,14 +157,9 @@ private:
   vtkNBufferPlacement Clip(const vtkNBufferBox& box, const Corners& corners, Extent& extent) const;
   vtkNBufferPlacement Finish(
     const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const;
-  /// The factors, in the world, of a linear function of clip coordinates.
-  glm::dvec4 ToWorld(const glm::dvec4& ofClip) const;
-  /// A bound of the clip coordinate w of points of the box in the view, not positive if there is
-  /// none.
-  double GetNearestW(const vtkNBufferBox& box) const;
 
   Rows WorldToClip{};
-  Rows ClipToWorld{};
+  vtkNBufferClipToWorld ClipToWorld;
   std::array<glm::dvec4, 6> Planes{}; ///< The planes of the view, which are not negative inside.
   vtkNBufferBoxError Error;
   int Width = 0;

@@ -163,9 +163,8 @@ vtkNBufferSliverTest::Point vtkNBufferSliverTest::Project(
   return point;
 }
 
-bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, std::size_t begin,
-  vtkNBufferFaces::Triangles triangles, const double toWorld[16], const vtkNBufferBox& box,
-  const vtkNBufferScreenBox& screen) const
+bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, std::size_t begin, std::size_t end,
+  const double toWorld[16], const vtkNBufferBox& box, const vtkNBufferScreenBox& screen) const
 {
   const vtkNBufferProjection::Rows toWindow =
     this->Projection.GetWindowMatrix(vtkNBufferGLM::ToMatrix(toWorld));
@@ -182,12 +181,8 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, std::size_t beg
   // Two corners may err by the diagonal of PositionError each, and 2 sqrt(2) is less than 3.
   const double covered = 3.0 * errors.PositionError + screen.DepthRange / errors.CoveredSlope;
 
-  for (std::size_t i = begin; triangles != 0 && i < mesh.Triangles.size(); ++i, triangles >>= 1)
+  for (std::size_t i = begin; i < std::min(end, mesh.Triangles.size()); ++i)
   {
-    if ((triangles & 1) == 0)
-    {
-      continue;
-    }
     const std::array<unsigned int, 3>& triangle = mesh.Triangles[i];
     const Point a = this->Project(mesh.Points[triangle[0]], toWindow, reach);
     const Point b = this->Project(mesh.Points[triangle[1]], toWindow, reach);

@@ -69,7 +69,6 @@
 #ifndef vtkNBufferSliverTest_h
 #define vtkNBufferSliverTest_h
 
-#include "vtkNBufferFaces.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
@@ -93,14 +92,12 @@ public:
     const float* depth, double sampleDistance);
 
   /**
-   * False only if none of some triangles of a mesh can be seen, given that its box, which is
-   * Inside, was found hidden. The lowest bit of `triangles` stands for the triangle `begin`.
-   * `toWorld` is the matrix from model to world coordinates, row by row. `screen` is what
-   * projection.Project() gave for the box.
+   * False only if none of the triangles `begin` to `end` - 1 of a mesh can be seen, given that its
+   * box, which is Inside, was found hidden. `toWorld` is the matrix from model to world
+   * coordinates, row by row. `screen` is what projection.Project() gave for the box.
    */
-  bool MayBeSeen(const vtkNBufferMesh& mesh, std::size_t begin,
-    vtkNBufferFaces::Triangles triangles, const double toWorld[16], const vtkNBufferBox& box,
-    const vtkNBufferScreenBox& screen) const;
+  bool MayBeSeen(const vtkNBufferMesh& mesh, std::size_t begin, std::size_t end,
+    const double toWorld[16], const vtkNBufferBox& box, const vtkNBufferScreenBox& screen) const;
 
 private:
   using Errors = vtkNBufferBoxError::TriangleErrors;
