@@ -84,6 +84,23 @@ std::array<double, 6> ViewSampler::MakeBounds(const View& view)
   return bounds;
 }
 
+void ViewSampler::Flatten(View& view, const std::array<double, 6>& bounds)
+{
+  const glm::dvec3 center = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+    0.5 * (bounds[4] + bounds[5]) };
+  // y and z go to nearly the same direction. That of x is kept, so that nothing of size is in the
+  // row of the inverse which gives x.
+  glm::dmat3 rows(1.0);
+  rows[1] = { 0.0, this->Uniform(-1, 1), this->Uniform(-1, 1) };
+  rows[2] = this->Uniform(-1, 1) * rows[1];
+  rows[2].z += this->Integer(0, 1) == 0 ? 0.0 : std::pow(10.0, this->Uniform(-20, -6));
+  const glm::dmat3 flat = glm::transpose(rows);
+  glm::dmat4 toWorld(flat);
+  toWorld[3] = glm::dvec4(center - flat * center, 1.0);
+  vtkMatrix4x4::Multiply4x4(
+    view.WorldToClip.data(), vtkNBufferGLM::ToRows(toWorld).data(), view.WorldToClip.data());
+}
+
 std::vector<glm::dvec3> ViewSampler::MakePoints(const std::array<double, 6>& bounds, int count)
 {
   std::vector<glm::dvec3> points;

@@ -65,6 +65,10 @@ public:
   /// All coordinates are floats, as the points of data sets are.
   std::array<double, 6> MakeBounds(const View& view);
 
+  /// Puts a matrix before that of the view, as a user matrix does, which leaves the middle of the
+  /// bounds in place and flattens what is there to a plane, exactly or nearly.
+  void Flatten(View& view, const std::array<double, 6>& bounds);
+
   /// Returns the corners of a box, and `count` points on its surface and inside.
   std::vector<glm::dvec3> MakePoints(const std::array<double, 6>& bounds, int count);
 

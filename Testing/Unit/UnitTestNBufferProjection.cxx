@@ -3,8 +3,6 @@
 // From boxes to rectangles and depths: conservative for every sampled point, and not too much so.
 #include "Pixels.h"
 #include "SampledViews.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNBufferGLM.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferPixelTest.h"
 #include "vtkNBufferSurface.h"
@@ -336,20 +334,7 @@ TEST(NBufferProjectionOnce, FacesHoldWhereTheMatrixIsNearlySingular)
   {
     View view = sampler.MakeView(0.0, n % 2 == 0);
     const std::array<double, 6> bounds = sampler.MakeBounds(view);
-    const glm::dvec3 center = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-      0.5 * (bounds[4] + bounds[5]) };
-    // y and z go to nearly the same direction. That of x is kept, so that nothing of size is in
-    // the row of the inverse which gives x.
-    glm::dmat3 rows(1.0);
-    rows[1] = { 0.0, sampler.Uniform(-1, 1), sampler.Uniform(-1, 1) };
-    rows[2] = sampler.Uniform(-1, 1) * rows[1];
-    rows[2].z += n % 2 == 0 ? 0.0 : std::pow(10.0, sampler.Uniform(-20, -6));
-    const glm::dmat3 flat = glm::transpose(rows);
-    glm::dmat4 toWorld(flat);
-    toWorld[3] = glm::dvec4(center - flat * center, 1.0);
-    vtkMatrix4x4::Multiply4x4(
-      view.WorldToClip.data(), vtkNBufferGLM::ToRows(toWorld).data(), view.WorldToClip.data());
-
+    sampler.Flatten(view, bounds);
     const vtkNBufferProjection projection = MakeProjection(view);
     const ProjectedBox box(projection, bounds);
     SCOPED_TRACE(GetText(view, box.Bounds));

@@ -11,7 +11,8 @@
  *     L(q) = (N_j - b N_3) q,    for an exact inverse L(M p) = p_j - b.
  *
  * L(M p) is linear in the point p, so that its values at the corners of a box bound those of all
- * points, whatever N is.
+ * points, whatever N is. (They are rounded to double precision; what uses them allows for points
+ * that a device rounds to single precision.)
  */
 #ifndef vtkNBufferClipToWorld_h
 #define vtkNBufferClipToWorld_h
