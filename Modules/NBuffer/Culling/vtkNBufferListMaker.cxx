@@ -52,7 +52,9 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
       proxy->SetOpen(!closed);
       proxy->SetRenderTimeMultiplier(multiplier);
       props[kept] = proxy;
-      lastDivided = this->Props.GetCandidate(i).IsTranslucent() ? lastDivided : kept;
+      const bool isLate =
+        this->Props.GetCandidate(i).IsTranslucent() || firstBlended != VTK_INT_MAX;
+      lastDivided = isLate ? lastDivided : kept;
     }
     total += multiplier;
     ++kept;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferClipToWorld.h"
 
-#include "vtkNBufferBoxError.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,13 +11,6 @@ void vtkNBufferClipToWorld::Set(const double worldToClip[16])
 {
   this->Matrix = vtkNBufferGLM::ToMatrix(worldToClip);
   this->Inverse = vtkNBufferGLM::Invert(this->Matrix);
-}
-
-double vtkNBufferClipToWorld::GetLargest(const glm::dvec4& function, const vtkNBufferBox& box)
-{
-  return vtkNBufferBoxError::Evaluate(function, box.Center) +
-    std::abs(function.x) * box.HalfSize.x + std::abs(function.y) * box.HalfSize.y +
-    std::abs(function.z) * box.HalfSize.z;
 }
 
 double vtkNBufferClipToWorld::GetError(

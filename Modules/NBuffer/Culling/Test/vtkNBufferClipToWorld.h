@@ -17,8 +17,7 @@
 #ifndef vtkNBufferClipToWorld_h
 #define vtkNBufferClipToWorld_h
 
-#include "vtkNBufferBox.h"
-#include "vtkNBufferGLM.h"
+#include "vtkNBufferBoxError.h"
 #include "vtkNBufferModule.h" // For export macro
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -29,7 +28,11 @@ public:
   void Set(const double worldToClip[16]);
 
   /// The largest value in a box of a linear function of the world, given by its factors.
-  static double GetLargest(const glm::dvec4& function, const vtkNBufferBox& box);
+  static double GetLargest(const glm::dvec4& function, const vtkNBufferBox& box)
+  {
+    return vtkNBufferBoxError::Evaluate(function, box.Center) +
+      glm::dot(vtkNBufferGLM::Abs(glm::dvec3(function)), box.HalfSize);
+  }
 
   /// A row of N.
   glm::dvec4 GetRow(int i) const { return glm::row(this->Inverse, i); }
