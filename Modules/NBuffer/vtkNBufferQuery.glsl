@@ -17,8 +17,9 @@
 // Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth), as
 // Build() was called for, or both (vtkNBufferTexture::SetBothExtrema()). NBufferFarthestOfSquare(),
 // NBufferFarthest(), NBufferFarthestPixels() and NBufferHides() read maxima; NBufferNearestInOne(),
-// NBufferNearestPixels() and NBufferShows() read minima. The depths that they find are those of vtkNBufferLevels::Query(),
-// and the pixels those of vtkNBufferLevels::FindPixels(), for the same levels, bit for bit.
+// NBufferNearestPixels() and NBufferShows() read minima. The depths that they find are those of
+// vtkNBufferLevels::Query(), and the pixels those of vtkNBufferLevels::FindPixels(), for the same
+// levels, bit for bit.
 //
 // Units. Rectangles are half-open, (x0, y0, x1, y1) with x0 <= x < x1 and y upwards, in pixels that
 // are counted from the lower left corner of the rectangle that Build() was called for. Depths are

@@ -199,7 +199,7 @@ TEST_P(CullerReversedDepth, DividedProp)
       options);
     units[isReversed] = LargeProps::CompareWalk(comparison, LargeProps::WalkFromOutside);
   }
-  EXPECT_GT(units[1].Hidden, 100);
+  EXPECT_GT(units[1].Hidden, 200);
   EXPECT_NEAR(units[1].Hidden, units[0].Hidden, 0.05 * units[0].Hidden);
 }
 

@@ -124,7 +124,7 @@ void WalkFromOutside(vtkRenderer* renderer, int frame)
 Units CompareWalk(Comparison& comparison, const Path& path)
 {
   Units units;
-  for (int i = 0; i < 10; ++i)
+  for (int i = 0; i < 14; ++i)
   {
     CompareFrames(comparison, path, i, i + 1);
     units.Hidden += comparison.GetStatistics().UnitsHidden;

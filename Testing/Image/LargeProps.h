@@ -90,7 +90,7 @@ struct Units
   int Fresh = 0;
 };
 
-/// Compares 10 frames, and returns the sums. Expects that there are units from the third frame on.
+/// Compares 14 frames, and returns the sums. Expects that there are units from the third frame on.
 Units CompareWalk(Comparison& comparison, const Path& path);
 
 /// Compares a walk without multisampling, and one with it and with units of `largeUnitSize`.

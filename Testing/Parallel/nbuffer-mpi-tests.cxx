@@ -335,6 +335,7 @@ bool IsCutWrong(const CulledWindow& window, vtkMultiProcessController* controlle
   return isWrong;
 }
 
+/// Loads the scene without the houses that --thinned leaves out.
 NBufferExamples::Scene LoadThinned(const Options& options, const char* program)
 {
   NBufferExamples::Scene scene = NBufferExamples::LoadScene({ options.Scene }, { program });

@@ -10,8 +10,8 @@
 
 namespace
 {
-/// Calls function(inverse, view, bounds, box) for many views and boxes, in every second one with a
-/// matrix that is singular or nearly so.
+/// Calls function(inverse, view, box, points, isFlat) for many views, each with a box and points in
+/// it. In every second one isFlat is true, and the matrix is singular or nearly so.
 template <typename Function>
 void ForEachInverse(unsigned int seed, Function function)
 {
