@@ -210,6 +210,17 @@ TEST(NBufferFaceTest, EdgeOnFacesMayBeInFront)
   EXPECT_FALSE(isInFront(150.5, 1e-7)) << "between the middles of pixels";
 }
 
+// A part of a prop beyond a side of the view changes nothing, but one behind the eye does.
+TEST(NBufferFaceTest, PropsAreTestedAcrossTheSidesOfTheView)
+{
+  const vtkNBufferProjection view = MakeViewOfFaces();
+  const auto isInFront = [&](const glm::dvec3& corner, const glm::dvec3& size)
+  { return PropOfFaces(MakeFacesOfCuboid(corner, size)).MayBeInFront(view, 0.1); };
+  EXPECT_FALSE(isInFront({ 2.0, -2.0, -8.0 }, { 9.0, 1.0, 3.0 })) << "across the right side";
+  EXPECT_TRUE(isInFront({ 2.0, -2.0, -8.0 }, { 9.0, 1.0, 7.8 })) << "across the near plane";
+  EXPECT_TRUE(isInFront({ 2.0, -2.0, -8.0 }, { 9.0, 1.0, 9.0 })) << "behind the eye";
+}
+
 // The clearance says how steep a triangle may be.
 TEST(NBufferFaceTest, ClearanceAllowsForSlopes)
 {
@@ -245,8 +256,9 @@ TEST(NBufferFaceTest, NeverRulesOutWhatTheSliverTestKeeps)
     // In a plane that passes the eye at a small distance, or holds it.
     const double distance = std::exp(uniform(std::log(2.0), std::log(5000.0)));
     // Seen in the middle of a pixel, or hardly beside it.
-    const glm::dvec2 pixel(std::floor(uniform(20.0, FacesWidth - 20.0)) + uniform(-0.003, 0.003),
-      std::floor(uniform(20.0, FacesHeight - 20.0)) + uniform(-0.003, 0.003));
+    // A part of the triangles cross a side of the view.
+    const glm::dvec2 pixel(std::floor(uniform(0.0, FacesWidth)) + uniform(-0.003, 0.003),
+      std::floor(uniform(0.0, FacesHeight)) + uniform(-0.003, 0.003));
     const glm::dvec2 place =
       (pixel + 0.5 - 0.5 * glm::dvec2(FacesWidth, FacesHeight)) / PixelsPerSlope;
     const glm::dvec3 center = distance * glm::dvec3(place, -1.0);

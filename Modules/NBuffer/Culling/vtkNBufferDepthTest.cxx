@@ -24,7 +24,7 @@ namespace
 constexpr std::size_t CandidatesWorthARead = 32;
 
 /// The number of hidden props that is worth a thread of its own in the test for slivers.
-constexpr vtkIdType PropsPerThread = 256;
+constexpr vtkIdType PropsPerThread = 800;
 
 template <typename Predicate>
 void RemoveIf(std::vector<int>& places, Predicate&& predicate)

@@ -107,8 +107,8 @@ bool vtkNBufferFaceTest::MayBeInFront(
   view.Middle = quotient;
   view.Reach = reach;
   const glm::dvec2 aside(std::abs(quotient.x) + reach.x, std::abs(quotient.y) + reach.y);
-  // A device may cut what is not wholly in view, after which it may be lower.
-  if (aside.x > this->Half.x || aside.y > this->Half.y || quotient.z - reach.z < -1.0)
+  // A device cuts what reaches before the near plane, after which it may be lower.
+  if (quotient.z - reach.z < -1.0)
   {
     return true;
   }

@@ -42,7 +42,8 @@
  *  - The line has to come near the middle of a pixel, since only there are samples. Most ground
  *    plans of a city, which are the faces seen edge-on, lie between two rows of middles.
  *
- * A device cuts what is not wholly in view, so that nothing is known of its triangles.
+ * As in vtkNBufferSliverTest, all of this is about triangles that a device does not cut. Nothing is
+ * ruled out of a piece that reaches before the near plane.
  */
 #ifndef vtkNBufferFaceTest_h
 #define vtkNBufferFaceTest_h

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -181,12 +182,27 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, std::size_t beg
   // Two corners may err by the diagonal of PositionError each, and 2 sqrt(2) is less than 3.
   const double covered = 3.0 * errors.PositionError + screen.DepthRange / errors.CoveredSlope;
 
+  // Triangles share most of their points with those next to them in the mesh, so that the last
+  // points are kept.
+  std::array<Point, 64> points;
+  std::array<unsigned int, 64> numbers;
+  numbers.fill(std::numeric_limits<unsigned int>::max());
+  const auto getPoint = [&](unsigned int number) -> Point
+  {
+    Point& point = points[number % points.size()];
+    if (std::exchange(numbers[number % points.size()], number) != number)
+    {
+      point = this->Project(mesh.Points[number], toWindow, reach);
+    }
+    return point;
+  };
+
   for (std::size_t i = begin; i < std::min(end, mesh.Triangles.size()); ++i)
   {
     const std::array<unsigned int, 3>& triangle = mesh.Triangles[i];
-    const Point a = this->Project(mesh.Points[triangle[0]], toWindow, reach);
-    const Point b = this->Project(mesh.Points[triangle[1]], toWindow, reach);
-    const Point c = this->Project(mesh.Points[triangle[2]], toWindow, reach);
+    const Point a = getPoint(triangle[0]);
+    const Point b = getPoint(triangle[1]);
+    const Point c = getPoint(triangle[2]);
     const glm::ivec2 first = glm::min(glm::min(a.First, b.First), c.First);
     const glm::ivec2 last = glm::max(glm::max(a.Last, b.Last), c.Last);
     if (first.x > last.x || first.y > last.y)
