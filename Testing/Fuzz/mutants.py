@@ -134,8 +134,8 @@ MUTANTS = {
 
     # Depth.
     "samples in the middles of pixels only": [
-        ("vtkNBufferDepthSource.cxx", "source.SampleDistance = GetSampleDistance();",
-         "source.SampleDistance = 0.0;")],
+        ("vtkNBufferDepthSource.cxx", "source.Places = GetSamples();",
+         "source.Places = vtkNBufferSamples();")],
     "one sample of a multisampled pixel": [
         ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 0; i < NBUFFER_SAMPLES; ++i)",
          "for (int i = 0; i < 1; ++i)")],

@@ -105,7 +105,7 @@ TEST_F(GpuTestNBufferDepthSource, EveryFormatIsInspected)
       EXPECT_EQ(source.Height, 13);
       EXPECT_EQ(source.Viewport[0], 3);
       EXPECT_EQ(source.Viewport[3], 9);
-      EXPECT_EQ(source.SampleDistance, 0.0);
+      EXPECT_EQ(source.Places.GetDistanceFromMiddle(), 0.0);
       EXPECT_NE(source.Framebuffer, 0u);
       EXPECT_NE(source.DepthName, 0u);
     });
@@ -316,7 +316,7 @@ TEST_F(GpuTestNBufferDepthSource, SamplesArePlacedAndNotRead)
     distance = std::max({ distance, std::abs(place[0] - 0.5), std::abs(place[1] - 0.5) });
   }
   EXPECT_GT(distance, 0.0);
-  EXPECT_EQ(source.SampleDistance, distance) << "the target's samples are fixed";
+  EXPECT_EQ(source.Places.GetDistanceFromMiddle(), distance) << "the target's samples are fixed";
   std::vector<float> depth;
   EXPECT_FALSE(source.Read(this->Window, 0, 0, 10, 8, depth, this->Why));
   EXPECT_NE(this->Why.find("ultisampled"), std::string::npos);

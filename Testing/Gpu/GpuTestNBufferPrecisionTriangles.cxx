@@ -136,8 +136,10 @@ Triangle Sampler::MakeSteep()
   const double z = this->Uniform(reach - 1.0, 1.0 - reach);
   const double away = this->Uniform(-1.0, 1.0) < 0.0 ? reach : -reach;
   constexpr double step = 1.0 / 512;
-  const double x = std::floor(this->Uniform(0.0, Width)) + 0.5 + this->Uniform(-step, step);
-  const double y = std::floor(this->Uniform(0.0, Height)) + 0.5 + this->Uniform(-step, step);
+  const auto& place = this->Samples[std::uniform_int_distribution<std::size_t>(
+    0, this->Samples.size() - 1)(this->Random)];
+  const double x = std::floor(this->Uniform(0.0, Width)) + place[0] + this->Uniform(-step, step);
+  const double y = std::floor(this->Uniform(0.0, Height)) + place[1] + this->Uniform(-step, step);
   static const glm::dvec2 directions[4] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 } };
   const glm::dvec2& direction = directions[std::uniform_int_distribution<int>(0, 3)(this->Random)];
   const double length = std::floor(this->Logarithmic(2.0, 200.0));

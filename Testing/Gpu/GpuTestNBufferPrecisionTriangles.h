@@ -7,6 +7,7 @@
 #ifndef GpuTestNBufferPrecisionTriangles_h
 #define GpuTestNBufferPrecisionTriangles_h
 
+#include "vtkNBufferGL.h"
 #include "vtkNBufferProjection.h"
 
 #include "vtkCamera.h"
@@ -109,6 +110,9 @@ public:
   /// Returns a triangle in world coordinates.
   Triangle Make(Kind kind);
 
+  /// The places in a pixel of which the worst cases lie near one; by default its middle.
+  void SetSamples(const vtkNBufferGL::SamplePlaces& samples) { this->Samples = samples; }
+
 private:
   /// Makes the worst case for the plane: a height near the lowest one that the slack covers, a
   /// large range of depths, and a long edge within 1/512 pixel of the middles of pixels, so that
@@ -126,6 +130,7 @@ private:
   const CameraCase& Case;
   vtkNBufferStoredDepth Stored;
   std::mt19937 Random;
+  vtkNBufferGL::SamplePlaces Samples = { { 0.5, 0.5 } };
   vtkNew<vtkCamera> Camera;
   glm::dmat4 WorldToClip;
   glm::dmat4 ClipToWorld;

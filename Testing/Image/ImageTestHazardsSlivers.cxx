@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles of almost no height on the screen, to which a rasteriser may give any depth.
 #include "CullerTest.h"
+#include "Judge.h"
 #include "Scenes.h"
 #include "vtkNBufferGL.h"
 
 #include "vtkCamera.h"
 #include "vtkCylinderSource.h"
 #include "vtkFloatArray.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPlaneSource.h"
 
 namespace
@@ -82,6 +86,17 @@ double GetDepth(Stage& stage, int x, int y)
   stage.Window->GetZbufferData(x, y, x, y, depth);
   return depth->GetValue(0);
 }
+
+vtkNBufferGL::SamplePlaces GetSamplePlaces(Stage& stage)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
+  window->MakeCurrent();
+  window->GetState()->PushFramebufferBindings();
+  window->GetRenderFramebuffer()->Bind();
+  vtkNBufferGL::SamplePlaces places = vtkNBufferGL::GetSamplePlaces();
+  window->GetState()->PopFramebufferBindings();
+  return places;
+}
 }
 
 class CullerSlivers : public testing::TestWithParam<Pipe>
@@ -131,3 +146,37 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerSlivers, testing::ValuesIn(Pipes), GetCaseName);
+
+// The same with four samples in a pixel. The picture is moved so that each of them in turn is where
+// the middle of the pixel was.
+TEST(CullerSliversOnce, AreDrawnWhereASampleShows)
+{
+  int strays = 0;
+  for (const Pipe& pipe : Pipes)
+  {
+    ComparisonOptions options = Scenes::MakeExactOptions(SliversWidth, SliversHeight, 4);
+    options.MultiSamples = 4;
+    options.CompareDepth = false;
+    Comparison comparison([&pipe](Stage& stage) { Build(stage, pipe); }, options);
+    Scenes::Settle(comparison);
+    if (!comparison.GetCuller() || !vtkNBufferGL::GetSoftwareRenderer() ||
+      comparison.Culled.Window->GetMultiSamples() < 4)
+    {
+      GTEST_SKIP() << "slivers are tested with software renderers; needs four samples";
+    }
+    for (const auto& [x, y] : GetSamplePlaces(comparison.Reference))
+    {
+      const double center[2] = { 2.0 * (0.5 - x) / SliversWidth, 2.0 * (0.5 - y) / SliversHeight };
+      comparison.Both([&center](Stage& stage)
+        { stage.GetRenderer()->GetActiveCamera()->SetWindowCenter(center[0], center[1]); });
+      comparison.GetCuller()->SetTestSlivers(true);
+      comparison.Frame("slivers looked at");
+      const TestScene::Picture right = TestScene::TakePicture(comparison.Culled.Window);
+      comparison.GetCuller()->SetTestSlivers(false);
+      comparison.Culled.Window->Render();
+      const TestScene::Picture without = TestScene::TakePicture(comparison.Culled.Window);
+      strays += TestScene::FindDifference(right, without).empty() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(strays, 0) << "llvmpipe draws some";
+}

@@ -61,7 +61,7 @@ struct PropOfFaces
 
   bool MayBeInFront(const vtkNBufferProjection& projection, double clearance) const
   {
-    const vtkNBufferFaceTest test(projection, 0.0);
+    const vtkNBufferFaceTest test(projection, {});
     return std::any_of(this->Faces.GetPieces().begin(), this->Faces.GetPieces().end(),
       [&](const vtkNBufferFaces::Piece& piece)
       { return test.MayBeInFront(this->Faces, piece, clearance); });
@@ -290,7 +290,7 @@ TEST(NBufferFaceTest, NeverRulesOutWhatTheSliverTestKeeps)
       static_cast<float>(screen.Nearest - clearance - ofCorners));
     vtkNBufferLevels levels;
     levels.BuildBase(depth.data(), FacesWidth, FacesHeight, 4, vtkNBufferExtremum::Maximum);
-    const bool isSeen = vtkNBufferSliverTest(view, levels, depth.data(), 0.0)
+    const bool isSeen = vtkNBufferSliverTest(view, levels, depth.data(), {})
                           .MayBeSeen(*prop.Mesh.Mesh, 0, 1, FacesToWorld.data(), prop.Box, screen);
     const bool isKept = prop.MayBeInFront(view, clearance);
     seen += isSeen ? 1 : 0;

@@ -29,8 +29,8 @@ protected:
   }
 
   using Triangle = std::array<glm::dvec3, 3>;
-  bool MayBeSeen(
-    const Triangle& triangle, double sampleReach = 0.0, const float* depth = nullptr) const
+  bool MayBeSeen(const Triangle& triangle, const vtkNBufferSamples& samples = {},
+    const float* depth = nullptr) const
   {
     const auto& [a, b, c] = triangle;
     const glm::dvec3 low = glm::min(glm::min(a, b), c);
@@ -40,7 +40,7 @@ protected:
     vtkNBufferMesh mesh;
     mesh.Points.assign(triangle.begin(), triangle.end());
     mesh.Triangles = { { 0, 1, 2 } };
-    vtkNBufferSliverTest test(this->Projection, this->Levels, depth, sampleReach);
+    vtkNBufferSliverTest test(this->Projection, this->Levels, depth, samples);
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     return test.MayBeSeen(mesh, 0, 1, identity, box.Box, box.Screen);
   }
@@ -109,12 +109,36 @@ TEST_F(Slivers, BesideAllSamples)
   EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5019, 1e-7)));
   EXPECT_TRUE(this->MayBeSeen(MakeLow(20.4981, 1e-7)));
   // Samples may be anywhere in a pixel.
-  EXPECT_TRUE(this->MayBeSeen(MakeLow(21.0, 1e-7), 0.5));
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(21.0, 1e-7), vtkNBufferSamples::Anywhere()));
   // Beyond its ends, and of another orientation.
   EXPECT_FALSE(
     this->MayBeSeen({ { { 10.51, 20.5, 0.8 }, { 11.49, 20.5, 0.9 }, { 11, 20.5, 0.8 } } }));
   EXPECT_TRUE(this->MayBeSeen({ { { 30.5, 10, 0.8 }, { 30.5, 40, 0.9 }, { 30.5, 20, 0.8 } } }));
   EXPECT_FALSE(this->MayBeSeen({ { { 30.6, 10, 0.8 }, { 30.6, 40, 0.9 }, { 30.6, 20, 0.8 } } }));
+}
+
+// With multisampling a triangle may own any of the samples of a pixel, but nothing between them.
+TEST_F(Slivers, BesideAllOfFourSamples)
+{
+  this->SetWall(1.0f);
+  vtkNBufferSamples samples;
+  samples.Places = { { 0.375, 0.125 }, { 0.875, 0.375 }, { 0.125, 0.625 }, { 0.625, 0.875 } };
+  EXPECT_EQ(samples.GetDistanceFromMiddle(), 0.375);
+  for (const glm::dvec2& sample : samples.Places)
+  {
+    const double y = 20.0 + sample.y;
+    EXPECT_TRUE(this->MayBeSeen(MakeLow(y, 1e-7), samples)) << y;
+    EXPECT_TRUE(this->MayBeSeen(MakeLow(y + 0.0019, 1e-7), samples)) << y;
+    EXPECT_FALSE(this->MayBeSeen(MakeLow(y + 0.01, 1e-7), samples)) << y;
+    EXPECT_FALSE(this->MayBeSeen(MakeLow(y + 0.125, 1e-7), samples)) << y;
+    // From the middle between two pixels' samples of this row to beyond one of them.
+    const double x = 30.0 + sample.x;
+    const auto make = [y](double begin, double end) -> Triangle {
+      return { { { begin, y, 0.8 }, { end, y, 0.9 }, { 0.5 * (begin + end), y, 0.8 } } };
+    };
+    EXPECT_FALSE(this->MayBeSeen(make(x + 0.05, x + 0.95), samples)) << y;
+    EXPECT_TRUE(this->MayBeSeen(make(x - 0.05, x + 0.95), samples)) << y;
+  }
 }
 
 // A device that snaps to a grid of 2^-8 pixels snaps these corners to the same y, and draws
@@ -174,9 +198,9 @@ TEST_F(Slivers, PixelsDecideWhereTheyAreAtHand)
   this->Levels.BuildBase(
     this->Depth.data(), SliversWidth, SliversHeight, 4, vtkNBufferExtremum::Maximum);
   EXPECT_TRUE(this->MayBeSeen(sliver));
-  EXPECT_FALSE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
+  EXPECT_FALSE(this->MayBeSeen(sliver, {}, this->Depth.data()));
   this->Depth[20 * SliversWidth + 40] = 1.0f;
-  EXPECT_TRUE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
+  EXPECT_TRUE(this->MayBeSeen(sliver, {}, this->Depth.data()));
 }
 
 // The wall is open in a single pixel.

@@ -21,16 +21,17 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
-/// The largest distance, in x or y, of a sample of the framebuffer that is being drawn from the
-/// middle of its pixel, in pixels.
-double GetSampleDistance()
+/// The samples of the framebuffer that is being drawn, if they are in the same places in all
+/// pixels.
+vtkNBufferSamples GetSamples()
 {
-  double distance = 0.0;
+  vtkNBufferSamples samples;
+  samples.Places.clear();
   for (const auto& [x, y] : vtkNBufferGL::GetSamplePlaces())
   {
-    distance = std::max({ distance, std::abs(x - 0.5), std::abs(y - 0.5) });
+    samples.Places.emplace_back(x, y);
   }
-  return distance;
+  return samples;
 }
 
 /// Set the members that describe a texture with this target. Returns false if the texture has
@@ -53,7 +54,7 @@ bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& sou
     }
     if (isFixed)
     {
-      source.SampleDistance = GetSampleDistance();
+      source.Places = GetSamples();
     }
     glBindTexture(target, bound);
   }
@@ -101,7 +102,7 @@ bool InspectFramebuffer(
 {
   source.Framebuffer = vtkNBufferGL::GetInteger(GL_DRAW_FRAMEBUFFER_BINDING);
   source.Samples = vtkNBufferGL::GetInteger(GL_SAMPLES);
-  source.SampleDistance = source.Samples > 1 ? 0.5 : 0.0;
+  source.Places = source.Samples > 1 ? vtkNBufferSamples::Anywhere() : vtkNBufferSamples();
   glGetIntegerv(GL_VIEWPORT, source.Viewport);
   source.Stored = vtkNBufferDepthSource::GetStoredDepth();
 

@@ -16,6 +16,7 @@
 
 #include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferSamples.h"
 #include "vtkNBufferVTKVersion.h"
 
 #include <algorithm>
@@ -33,10 +34,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   int Width = 0;                    ///< Width of the depth buffer in pixels.
   int Height = 0;                   ///< Height of the depth buffer in pixels.
   int Samples = 0;                  ///< Samples of a pixel; 0 and 1 both mean one.
-  /// How far a sample may be from the middle of its pixel in x and in y, in pixels.
-  double SampleDistance = 0.0;
-  int DepthBits = 0;       ///< 0 if there is no depth buffer.
-  bool FloatDepth = false; ///< Depth is floating-point, not unsigned normalised.
+  vtkNBufferSamples Places;         ///< Where the samples of each pixel are.
+  int DepthBits = 0;                ///< 0 if there is no depth buffer.
+  bool FloatDepth = false;          ///< Depth is floating-point, not unsigned normalised.
   /// What is stored, by the depth function, the depth range and the clip control.
   vtkNBufferStoredDepth Stored = vtkNBufferStoredDepth::Ordinary;
   bool HasStencil = false;    ///< The depth attachment also holds the stencil.

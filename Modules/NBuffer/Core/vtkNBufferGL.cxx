@@ -148,9 +148,9 @@ SamplePlaces GetSamplePlaces()
   return places;
 }
 
-bool DrawsStraySamples(int samples)
+bool DrawsStraySamples()
 {
-  return samples <= 1 && GetSoftwareRenderer();
+  return GetSoftwareRenderer();
 }
 
 bool KeepsToScissor(int samples)

@@ -73,9 +73,9 @@ using SamplePlaces = std::vector<std::array<double, 2>>;
 VTKNBUFFER_EXPORT SamplePlaces GetSamplePlaces();
 
 /// Whether the current context's renderer may draw samples of a triangle of almost no height nearer
-/// than all of its corners (vtkNBufferSliverTest), where a pixel has `samples` samples. Mesa's
-/// llvmpipe (22.3 and 25.0) does without multisampling only, and graphics devices do not.
-VTKNBUFFER_EXPORT bool DrawsStraySamples(int samples);
+/// than all of its corners (vtkNBufferSliverTest). Mesa's llvmpipe (22.3 and 25.0) does, and
+/// graphics devices do not.
+VTKNBUFFER_EXPORT bool DrawsStraySamples();
 
 /// Whether the current context's renderer draws inside a scissor box only, where a pixel has
 /// `samples` samples. With several samples llvmpipe (Mesa 22.3) also draws some samples of the row

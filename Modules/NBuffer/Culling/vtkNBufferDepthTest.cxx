@@ -82,8 +82,10 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   // A pass may draw opaque props into one sample, and the window then translucent ones into more.
   const bool hasOtherSamples = window->GetMultiSamples() > 1 &&
     source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
-  this->SampleDistance =
-    hasOtherSamples || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : source.SampleDistance;
+  this->Samples = hasOtherSamples || vtkNBufferGL::CoversTouchedPixels()
+    ? vtkNBufferSamples::Anywhere()
+    : source.Places;
+  this->SampleDistance = this->Samples.GetDistanceFromMiddle();
   for (const std::vector<int>* list : places)
   {
     for (int i : *list)
@@ -244,9 +246,9 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
     return;
   }
   const vtkNBufferClock clock;
-  const vtkNBufferFaceTest faceTest(this->Projection, this->SampleDistance);
+  const vtkNBufferFaceTest faceTest(this->Projection, this->Samples);
   const vtkNBufferSliverTest sliverTest(
-    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->SampleDistance);
+    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->Samples);
   std::vector<Slivers> slivers(tested.size(), Slivers::Hidden);
   auto left = places.begin();
   for (std::size_t n = 0; n < tested.size() && left != places.end(); ++n)
@@ -302,8 +304,7 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
 
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
-  const bool testsSlivers =
-    this->Settings.TestSlivers && vtkNBufferGL::DrawsStraySamples(this->Source.Samples);
+  const bool testsSlivers = this->Settings.TestSlivers && vtkNBufferGL::DrawsStraySamples();
   const std::vector<int> tested = testsSlivers ? places : std::vector<int>();
   vtkNBufferClock clock;
   vtkNBufferOcclusionTest test(this->Levels, this->SampleDistance);

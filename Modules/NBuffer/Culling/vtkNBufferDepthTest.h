@@ -135,7 +135,8 @@ private:
   const vtkNBufferSettings& Settings;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferDepthSource Source;
-  /// How far a sample may be from the middle of its pixel in x and in y, in pixels.
+  /// Where a device may take the samples of a pixel, and how far that is from its middle.
+  vtkNBufferSamples Samples = vtkNBufferSamples::Anywhere();
   double SampleDistance = 0.5;
 };
 

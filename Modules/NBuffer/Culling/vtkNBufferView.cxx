@@ -159,7 +159,7 @@ bool vtkNBufferView::GetVisiblePixels(vtkProp* prop, vtkNBufferRectangle& pixels
   const int i = this->Props.Find(prop);
   return i >= 0 && (this->State == Phase::Tested || this->State == Phase::Reused) &&
     this->Props.GetState(i).Verdict == vtkNBufferVerdict::Visible &&
-    vtkNBufferOcclusionTest(this->Levels, this->Tested.SampleDistance)
+    vtkNBufferOcclusionTest(this->Levels, this->Tested.Places.GetDistanceFromMiddle())
       .FindVisiblePixels(this->Props.GetScreen(i), pixels);
 }
 

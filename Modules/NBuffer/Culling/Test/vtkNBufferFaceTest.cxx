@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -16,10 +17,10 @@ double GetSize(const glm::dvec3& vector)
 }
 
 vtkNBufferFaceTest::vtkNBufferFaceTest(
-  const vtkNBufferProjection& projection, double sampleDistance)
+  const vtkNBufferProjection& projection, vtkNBufferSamples samples)
   : Projection(projection)
+  , Samples(std::move(samples))
   , Errors(projection.GetError().GetTriangleErrors(0.0, 0.0, 0.0))
-  , Distance(0.5 * vtkNBufferBoxError::GridStep + sampleDistance)
   , Half(0.5 * projection.GetWidth(), 0.5 * projection.GetHeight())
 {
   const vtkNBufferProjection::Rows& toClip = projection.GetWorldToClip();
@@ -169,18 +170,23 @@ bool vtkNBufferFaceTest::MayBeInFront(const vtkNBufferFaces::Face& face, const V
     return false;
   }
 
-  // Second, whether the face comes near the middle of a pixel in the direction across.
+  // Second, whether the face comes near a sample in the direction across.
   const int axis = steps.y >= steps.x ? 1 : 0;
   const int other = 1 - axis;
   const double near = distance * view.OfNearest;
   const double far = distance * view.OfFarthest;
   const double ofAxis = 1.0 / trace[axis];
-  const double place = this->Half[axis] - 0.5 -
-    (trace.z + 0.5 * (near + far) + trace[other] * view.Middle[other]) * ofAxis;
+  const double place =
+    this->Half[axis] - (trace.z + 0.5 * (near + far) + trace[other] * view.Middle[other]) * ofAxis;
   const double reach = (0.5 * std::abs(near - far) + steps[other] * view.Reach[other] +
                          2.0 * tolerance * view.OfNearest) *
       std::abs(ofAxis) +
-    view.Error[axis] + this->Distance;
-  return !(std::ceil(place - reach) > place + reach);
+    view.Error[axis] + 0.5 * vtkNBufferBoxError::GridStep + this->Samples.Distance;
+  return std::any_of(this->Samples.Places.begin(), this->Samples.Places.end(),
+    [&](const glm::dvec2& sample)
+    {
+      const double fromSample = place - sample[axis];
+      return !(std::ceil(fromSample - reach) > fromSample + reach);
+    });
 }
 VTK_ABI_NAMESPACE_END

@@ -39,8 +39,8 @@
  *
  *  - Not |E'| counts but its part along m, |m_x| E'_x + |m_y| E'_y: errors along the line do not
  *    change the height. (Corners differ a little along m, too. This is the `drift` of the source.)
- *  - The line has to come near the middle of a pixel, since only there are samples. Most ground
- *    plans of a city, which are the faces seen edge-on, lie between two rows of middles.
+ *  - The line has to come near a sample. Most ground plans of a city, which are the faces seen
+ *    edge-on, lie between two rows of samples.
  *
  * As in vtkNBufferSliverTest, all of this is about triangles that a device does not cut. Nothing is
  * ruled out of a piece that reaches before the near plane.
@@ -52,14 +52,14 @@
 #include "vtkNBufferFaces.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferSamples.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferFaceTest
 {
 public:
-  /// The projection is kept by reference and must outlive the test. For `sampleDistance` see
-  /// vtkNBufferSliverTest.
-  vtkNBufferFaceTest(const vtkNBufferProjection& projection, double sampleDistance);
+  /// The projection is kept by reference and must outlive the test.
+  vtkNBufferFaceTest(const vtkNBufferProjection& projection, vtkNBufferSamples samples);
 
   /// False only if no triangle of the piece can be drawn in front of the farthest depth that is
   /// stored where its prop may be drawn. `clearance` is by how much this depth is nearer than the
@@ -74,8 +74,8 @@ private:
   double GetStretch(const glm::dvec2& aside) const;
 
   const vtkNBufferProjection& Projection;
+  vtkNBufferSamples Samples;
   vtkNBufferBoxError::TriangleErrors Errors;
-  double Distance; ///< How far a sample that a snapped corner owns may be from the corner.
   glm::dvec2 Half; ///< Half the size of the view, in pixels.
   ///@{
   /// Takes a point to x, y, z and w, with x and y in pixels, and the same with absolute values.

@@ -137,11 +137,11 @@ double vtkNBufferSliverTest::Sliver::GetNearest(
 }
 
 vtkNBufferSliverTest::vtkNBufferSliverTest(const vtkNBufferProjection& projection,
-  const vtkNBufferLevels& levels, const float* depth, double sampleDistance)
+  const vtkNBufferLevels& levels, const float* depth, vtkNBufferSamples samples)
   : Projection(projection)
   , Levels(levels)
   , Depth(depth)
-  , SampleDistance(sampleDistance)
+  , Samples(std::move(samples))
 {
 }
 
@@ -149,18 +149,26 @@ vtkNBufferSliverTest::Point vtkNBufferSliverTest::Project(
   const glm::dvec3& place, const vtkNBufferProjection::Rows& toWindow, double reach) const
 {
   const glm::dvec2 size(this->Levels.GetPixelWidth(), this->Levels.GetPixelHeight());
-  const auto round = [&size](const glm::dvec2& corner)
+  const auto samples = static_cast<int>(this->Samples.Places.size());
+  // How many columns and rows, of the pixels from -1 on, are before a place, by this comparison.
+  const auto count = [&](const glm::dvec2& corner, const auto& isBefore)
   {
     const glm::dvec2 up = glm::clamp(corner, glm::dvec2(-1.0), size) + 1.0;
-    const glm::ivec2 whole(up); // rounds down, because no number is negative
-    return whole - 1;
+    const glm::ivec2 pixel(up); // rounds down, because no number is negative
+    glm::ivec2 columns = samples * pixel;
+    for (const glm::dvec2& sample : this->Samples.Places)
+    {
+      columns += glm::ivec2(isBefore(sample, up - glm::dvec2(pixel)));
+    }
+    return columns;
   };
   const auto evaluate = [&](int row) { return vtkNBufferBoxError::Evaluate(toWindow[row], place); };
   Point point;
   point.W = evaluate(3);
   point.Place = point.W > 0.0 ? glm::dvec2(evaluate(0), evaluate(1)) / point.W : glm::dvec2(0.0);
-  point.First = round(point.Place - reach + 0.5);
-  point.Last = round(point.Place + reach - 0.5);
+  point.First = count(point.Place - reach, [](auto a, auto b) { return glm::lessThan(a, b); });
+  point.Last =
+    count(point.Place + reach, [](auto a, auto b) { return glm::lessThanEqual(a, b); }) - 1;
   return point;
 }
 
@@ -170,7 +178,7 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, std::size_t beg
   const vtkNBufferProjection::Rows toWindow =
     this->Projection.GetWindowMatrix(vtkNBufferGLM::ToMatrix(toWorld));
   const Errors errors = this->Projection.GetTriangleErrors(screen);
-  const double reach = 0.5 * GridStep + errors.PositionError + this->SampleDistance;
+  const double reach = 0.5 * GridStep + errors.PositionError + this->Samples.Distance;
 
   // The errors of clip coordinates, x and y times the size of a pixel.
   const glm::dvec2 half = { 0.5 * this->Projection.GetWidth(), 0.5 * this->Projection.GetHeight() };
@@ -315,7 +323,7 @@ bool vtkNBufferSliverTest::HasVisibleSample(const Sliver& sliver, const Errors& 
   const double slope = du != 0.0 ? dv / du : 0.0;
   // No point of the triangle is farther from its longest side. 1.5 allows for diagonals (sqrt(2)).
   const double distance = sliver.Height + errors.Overshoot +
-    1.5 * (std::max(sliver.Error.x, sliver.Error.y) + this->SampleDistance);
+    1.5 * (std::max(sliver.Error.x, sliver.Error.y) + this->Samples.GetDistanceFromMiddle());
   const double across = distance * std::hypot(1.0, slope);
   const glm::ivec2 pixels = { this->Levels.GetPixelWidth(), this->Levels.GetPixelHeight() };
   const int sizeU = pixels[along];
@@ -335,20 +343,20 @@ bool vtkNBufferSliverTest::HasVisibleSample(const Sliver& sliver, const Errors& 
     for (int w = getFirst(v - across, sizeV); w <= lastV; ++w)
     {
       const glm::ivec2 pixel = alongX ? glm::ivec2(u, w) : glm::ivec2(w, u);
-      const glm::dvec2 middle = glm::dvec2(pixel) + 0.5;
-      if (!sliver.MayOwn(middle, this->SampleDistance))
-      {
-        continue;
-      }
       double farthest = this->Levels.GetTexel(0, pixel.x / factor, pixel.y / factor);
       if (this->Depth)
       {
         const std::ptrdiff_t place = std::ptrdiff_t{ pixel.y } * pixels.x + pixel.x;
         farthest = std::min<double>(farthest, this->Depth[place]);
       }
-      if (!(sliver.GetNearest(middle, this->SampleDistance, errors) > farthest))
+      for (const glm::dvec2& sample : this->Samples.Places)
       {
-        return true;
+        const glm::dvec2 place = glm::dvec2(pixel) + sample;
+        if (sliver.MayOwn(place, this->Samples.Distance) &&
+          !(sliver.GetNearest(place, this->Samples.Distance, errors) > farthest))
+        {
+          return true;
+        }
       }
     }
   }

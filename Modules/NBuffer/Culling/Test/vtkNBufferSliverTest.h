@@ -72,6 +72,7 @@
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferSamples.h"
 
 #include <array>
 #include <cstddef>
@@ -85,11 +86,10 @@ public:
   /**
    * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
    * largest orders of depth of the projection's viewport. `depth` is the image of orders that they
-   * were made from, or nullptr if it is not at hand, and `sampleDistance` is how far a sample may
-   * be from the middle of its pixel in x and in y: see vtkNBufferPixelTest.
+   * were made from, or nullptr if it is not at hand.
    */
   vtkNBufferSliverTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
-    const float* depth, double sampleDistance);
+    const float* depth, vtkNBufferSamples samples);
 
   /**
    * False only if none of the triangles `begin` to `end` - 1 of a mesh can be seen, given that its
@@ -104,9 +104,10 @@ private:
   /// The corners of a triangle: x and y in pixels, and the order of depth in z.
   using Corners = std::array<glm::dvec3, 3>;
 
-  /// A projected point. First is the first pixel, in x and in y, whose samples may have the same or
-  /// a larger coordinate than the point; Last is the last one whose samples may have the same or a
-  /// smaller coordinate.
+  /// A projected point. The columns of all samples of the viewport are numbered from left to right,
+  /// and the rows from bottom to top. First are the first column and the first row whose samples
+  /// may have the same or a larger coordinate than the point; Last are the last ones whose samples
+  /// may have the same or a smaller coordinate.
   struct Point
   {
     glm::dvec2 Place;
@@ -133,7 +134,7 @@ private:
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
   const float* Depth;
-  double SampleDistance;
+  vtkNBufferSamples Samples;
 };
 
 VTK_ABI_NAMESPACE_END
