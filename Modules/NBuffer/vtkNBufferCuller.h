@@ -121,12 +121,12 @@ public:
 
   ///@{
   /// Whether, with a software renderer, the triangles of hidden props are searched for slivers that
-  /// it may draw nearer than the prop's box (vtkNBufferSliverTest). Without the culler the image has
-  /// such stray pixels. Mesa's llvmpipe is known to draw them, for example in one of 30 frames of a
-  /// plant of thin pipes; no graphics device is. In each frame the search takes 0.2 microseconds per
-  /// hidden prop of some twenty triangles. It takes 16 bytes per face and 80 per 32 triangles of
-  /// each prop that has been hidden, and for some hundred frames 24 bytes per point and 12 per
-  /// triangle. A prop with a sliver that may be seen is drawn: one in 1,300 of the
+  /// it may draw nearer than the prop's box (vtkNBufferSliverTest). Without the culler the image
+  /// has such stray pixels. Mesa's llvmpipe is known to draw them, for example in one of 30 frames
+  /// of a plant of thin pipes; no graphics device is. In each frame the search takes 0.2
+  /// microseconds per hidden prop of some twenty triangles. It takes 16 bytes per face and 80 per
+  /// 32 triangles of each prop that has been hidden, and for some hundred frames 24 bytes per point
+  /// and 12 per triangle. A prop with a sliver that may be seen is drawn: one in 1,300 of the
   /// hidden props of a street. Props of vtkNBufferTuning::MinimumNumberOfPrimitives polygons or
   /// more are not searched. Default: on.
   vtkSetMacro(TestSlivers, bool);
