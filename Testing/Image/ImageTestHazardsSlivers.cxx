@@ -162,7 +162,7 @@ TEST(CullerSliversOnce, AreDrawnWhereASampleShows)
     if (!comparison.GetCuller() || !vtkNBufferGL::GetSoftwareRenderer() ||
       comparison.Culled.Window->GetMultiSamples() < 4)
     {
-      GTEST_SKIP() << "slivers are tested with software renderers; needs four samples";
+      GTEST_SKIP() << "slivers are tested with software renderers, and this one needs four samples";
     }
     for (const auto& [x, y] : GetSamplePlaces(comparison.Reference))
     {

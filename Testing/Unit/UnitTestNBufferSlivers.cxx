@@ -131,7 +131,7 @@ TEST_F(Slivers, BesideAllOfFourSamples)
     EXPECT_TRUE(this->MayBeSeen(MakeLow(y + 0.0019, 1e-7), samples)) << y;
     EXPECT_FALSE(this->MayBeSeen(MakeLow(y + 0.01, 1e-7), samples)) << y;
     EXPECT_FALSE(this->MayBeSeen(MakeLow(y + 0.125, 1e-7), samples)) << y;
-    // From the middle between two pixels' samples of this row to beyond one of them.
+    // Between two samples of this row, and across one of them.
     const double x = 30.0 + sample.x;
     const auto make = [y](double begin, double end) -> Triangle {
       return { { { begin, y, 0.8 }, { end, y, 0.9 }, { 0.5 * (begin + end), y, 0.8 } } };
