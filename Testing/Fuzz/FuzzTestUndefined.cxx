@@ -40,6 +40,20 @@ TEST(FuzzUndefined, NoFlatTrianglesWithoutExtentUnderAmbientOcclusion)
   EXPECT_FALSE(scenario.Props[1].Flat);
 }
 
+// VTK alone draws them with the shader program of the prop before them.
+TEST(FuzzUndefined, NoUnlitPropsWithShadowMaps)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(2);
+  scenario.Props.resize(1);
+  scenario.Props[0].Lighting = false;
+  RemoveUndefined(scenario);
+  EXPECT_FALSE(scenario.Props[0].Lighting);
+  scenario.Renderers[1].Shadows = true;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Props[0].Lighting);
+}
+
 // A billboard that two renderers share depends on which of them was modified last.
 TEST(FuzzUndefined, NoSharedBillboardsWithShadowVolumes)
 {

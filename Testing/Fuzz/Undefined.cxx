@@ -93,6 +93,16 @@ void RemoveUndefined(Scenario& scene)
       RemoveChanges(scene, ChangeKind::Edges, prop.Id);
     }
   }
+  if (std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
+        [](const Renderer& renderer) { return renderer.Shadows; }))
+  {
+    // VTK cannot compile the shader of an unlit prop with shadow maps, and draws the prop with
+    // whatever program was bound before.
+    for (Prop& prop : scene.Props)
+    {
+      prop.Lighting = true;
+    }
+  }
   if (HasAmbientOcclusion(scene))
   {
     for (Renderer& renderer : scene.Renderers)
