@@ -192,11 +192,9 @@ double vtkNBufferCuller::Cull(
   {
     vtkNBufferCompatibility::MoveFrustumCullersBehind(renderer->GetCullers(), this);
   }
-  vtkNBufferSettings settings = { this->Tuning };
-  settings.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
-  settings.TestSlivers = this->TestSlivers;
-  settings.DivideProps = this->DivideProps;
-  settings.Freeze = this->Freeze;
+  vtkNBufferSettings settings = { this->Tuning, nullptr,
+    static_cast<vtkNBufferBackend::Kind>(this->Backend), this->TestSlivers, this->DivideProps,
+    this->Freeze };
   if (obstacle == vtkNBufferDecision::None && this->DepthExchange &&
     vtkNBufferCompatibility::CanShareDepth(renderer))
   {

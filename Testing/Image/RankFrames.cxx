@@ -33,7 +33,7 @@ void BuildRank(RankStages& stages, Ranks& ranks, int rank, const RankOptions& op
     });
   stages.Culled.Culler = vtkSmartPointer<vtkNBufferCuller>::New();
   vtkNBufferTuning tuning = stages.Culled.Culler->GetTuning();
-  tuning.BackOff = false;
+  tuning.BackOff = options.BackOff;
   stages.Culled.Culler->SetTuning(tuning);
   stages.GetRenderer()->AddCuller(stages.Culled.Culler);
   if (options.Exchange)

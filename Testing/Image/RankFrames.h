@@ -71,7 +71,7 @@ struct RankOptions
   Spread How = Spread::Mixed;
   bool Exchange = true; ///< Whether the cullers exchange depth.
   int TileSize = 4;
-  bool BackOff = false;
+  bool BackOff = false; ///< Of the exchange and of the cullers.
   int Frames = 12;
   /// Returns the t of SetRankCamera() for a frame.
   std::function<double(int frame)> Path = [](int frame) { return 0.01 * frame; };

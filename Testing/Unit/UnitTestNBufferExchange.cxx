@@ -136,6 +136,7 @@ TEST(Exchange, EachRankGetsTheReportsOfAll)
   {
     reports[i].Candidates = 1000 + i;
     reports[i].Gain = i;
+    reports[i].Unhidden = 10 * i;
   }
   reports[1].Step = 0x1p-16;
   reports[2].NewProps = 300;
@@ -147,6 +148,7 @@ TEST(Exchange, EachRankGetsTheReportsOfAll)
     EXPECT_EQ(reply.NewProps, 300);
     EXPECT_EQ(reply.Candidates, 5010);
     EXPECT_EQ(reply.Gain, 10);
+    EXPECT_EQ(reply.Unhidden, 100);
   }
   EXPECT_FALSE(Exchange(reports)[0].Misfit);
   reports[4].Changed = true;
@@ -250,7 +252,7 @@ TEST(ExchangePlan, PausesWhereTrialsGainNothing)
       if (plan.GetNumberOfExchanges() > 0)
       {
         vtkNBufferRankReply reply = MakeReply(true);
-        reply.Candidates = 1000;
+        reply.Unhidden = 1000;
         reply.Gain = hadTrial ? gain : 0;
         hadTrial = plan.IsTrial();
         plan.Learn(reply, 0);
@@ -259,5 +261,20 @@ TEST(ExchangePlan, PausesWhereTrialsGainNothing)
     }
     EXPECT_EQ(exchanges == 400, gain > 0) << exchanges;
     EXPECT_TRUE(gain > 0 || exchanges < 40) << exchanges;
+  }
+}
+
+TEST(ExchangePlan, TrialsInNewViewsDoNotCount)
+{
+  vtkNBufferExchangePlan plan;
+  for (int i = 0; i < 400; ++i)
+  {
+    plan.BeginFrame(true);
+    ASSERT_EQ(plan.GetNumberOfExchanges(), 1) << i;
+    vtkNBufferRankReply reply = MakeReply(true);
+    reply.Unhidden = 1000;
+    reply.NewProps = vtkNBufferExchangePlan::FewNewProps + 1;
+    plan.Learn(reply, 0);
+    EXPECT_EQ(plan.GetNumberOfExchanges(), 2) << i;
   }
 }

@@ -112,14 +112,13 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   if (failure == vtkNBufferDecision::None && isShared)
   {
     this->Settings.Shared->GetReport().Step = source.GetStep();
-    const int hidden = isTrial ? this->CountHidden(places) + countHiddenUnits() : 0;
+    const int hiddenByOwn = isTrial ? this->CountHidden(places) + countHiddenUnits() : 0;
     this->Backend.Merge([this](vtkNBufferLevels& base)
       { return this->Settings.Shared->Merge(base); },
       this->GetJob(levels));
     if (isTrial)
     {
-      this->Settings.Shared->SetGain(
-        std::max(this->CountHidden(places) + countHiddenUnits() - hidden, 0));
+      this->Settings.Shared->SetTrial(hiddenByOwn, this->CountHidden(places) + countHiddenUnits());
     }
   }
   return failure;

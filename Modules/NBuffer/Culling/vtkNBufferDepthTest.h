@@ -42,7 +42,7 @@ class vtkNBufferSharedDepth;
 class vtkOpenGLRenderWindow;
 
 /// The settings of vtkNBufferCuller with the same names and its tuning, as they are when a frame
-/// begins.
+/// begins. vtkNBufferCuller sets all of them; their defaults stand there.
 struct vtkNBufferSettings : vtkNBufferTuning
 {
   /// Adapt the settings to a frame in which several ranks share their depth; with nullptr nothing
@@ -59,10 +59,10 @@ struct vtkNBufferSettings : vtkNBufferTuning
   double GetStep(const vtkNBufferDepthSource& source) const;
 
   std::shared_ptr<vtkNBufferSharedDepth> Shared; ///< nullptr if this frame is not shared.
-  vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
-  bool TestSlivers = true;
-  bool DivideProps = true;
-  bool Freeze = false;
+  vtkNBufferBackend::Kind Backend;
+  bool TestSlivers;
+  bool DivideProps;
+  bool Freeze;
 };
 
 class vtkNBufferDepthTest

@@ -136,6 +136,10 @@ void vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
 {
   for (Entry& entry : this->Entries)
   {
+    if (!settings.BackOff)
+    {
+      entry.BackOff = {};
+    }
     const vtkNBufferState& state = this->Props.GetState(entry.Place);
     entry.IsHeldBack = state.Verdict == vtkNBufferVerdict::Untested && !state.WasVisible;
     // A prop of instances or splats is no candidate. It keeps its place, and only its units are
@@ -148,7 +152,7 @@ void vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
       (state.Placement != vtkNBufferPlacement::Outside ||
         !this->Props.GetCandidate(entry.Place).HasPlacement());
     const bool isTested = (entry.IsHeldBack || entry.IsKept || isTranslucent) &&
-      entry.Prop->IsReady() && !(settings.BackOff && entry.BackOff.CountPausedFrame());
+      entry.Prop->IsReady() && !entry.BackOff.CountPausedFrame();
     entry.IsActive = isTested && !isTranslucent;
     entry.IsPending = isTested && isTranslucent;
   }

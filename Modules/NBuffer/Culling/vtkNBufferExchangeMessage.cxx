@@ -19,6 +19,7 @@ constexpr std::size_t Changed = Step + 1;
 constexpr std::size_t Misfit = Changed + 1;
 constexpr std::size_t NewProps = Misfit + 1;
 constexpr std::size_t PerRank = NewProps + 1;
+constexpr std::size_t Sums = 3; // Candidates, Gain and Unhidden, each with a float for each rank.
 
 /// A float that is not less than a double.
 float RoundUp(double value)
@@ -39,7 +40,7 @@ vtkNBufferExchangeMessage::vtkNBufferExchangeMessage(std::size_t texels, int ran
   : Texels(texels)
   , Ranks(ranks)
   , Rank(rank)
-  , Values(texels + PerRank + 2 * static_cast<std::size_t>(ranks), 0.0F)
+  , Values(texels + PerRank + Sums * static_cast<std::size_t>(ranks), 0.0F)
 {
   std::fill_n(this->Values.begin(), texels, vtkNBufferDepthConvention::Background);
 }
@@ -56,6 +57,7 @@ void vtkNBufferExchangeMessage::SetReport(const vtkNBufferRankReport& report)
   values[NewProps] = static_cast<float>(-report.NewProps);
   values[PerRank + this->Rank] = static_cast<float>(-report.Candidates);
   values[PerRank + this->Ranks + this->Rank] = static_cast<float>(-report.Gain);
+  values[PerRank + 2 * this->Ranks + this->Rank] = static_cast<float>(-report.Unhidden);
 }
 
 vtkNBufferRankReply vtkNBufferExchangeMessage::GetReply(const std::vector<float>& minima) const
@@ -70,6 +72,7 @@ vtkNBufferRankReply vtkNBufferExchangeMessage::GetReply(const std::vector<float>
   reply.NewProps = static_cast<int>(-values[NewProps]);
   reply.Candidates = AddNegated(values + PerRank, this->Ranks);
   reply.Gain = AddNegated(values + PerRank + this->Ranks, this->Ranks);
+  reply.Unhidden = AddNegated(values + PerRank + 2 * this->Ranks, this->Ranks);
   return reply;
 }
 VTK_ABI_NAMESPACE_END

@@ -44,8 +44,8 @@ struct vtkNBufferRankReport
   bool Misfit = false;          ///< Whether the rank's layout is not the one that this message has.
   int NewProps = 0;   ///< The props held back if the view is new (vtkNBufferPartition::IsNew()).
   int Candidates = 0; ///< The candidates in the frustum; like all counts, less than 2^24.
-  int Gain = 0;       ///< How many more props the last trial found hidden by all ranks' depth than
-                      ///< by the rank's own.
+  int Unhidden = 0;   ///< The candidates that the rank's own depth did not hide in the last trial.
+  int Gain = 0;       ///< How many of these the depth of all ranks hid in that trial.
 };
 
 /// What all ranks have reported. Each rank gets the same.
@@ -57,6 +57,7 @@ struct vtkNBufferRankReply
   bool Misfit = false;   ///< Whether at least one rank reports a Misfit.
   int NewProps = 0;      ///< The largest number of any rank.
   int Candidates = 0;    ///< The sum over all ranks.
+  int Unhidden = 0;      ///< The sum over all ranks.
   int Gain = 0;          ///< The sum over all ranks.
 };
 

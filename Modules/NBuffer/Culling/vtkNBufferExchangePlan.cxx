@@ -24,17 +24,18 @@ void vtkNBufferExchangePlan::Learn(const vtkNBufferRankReply& reply, int number)
   {
     return;
   }
-  if (reply.NewProps > FewNewProps)
+  const bool isCut = reply.NewProps > FewNewProps;
+  if (isCut)
   {
     this->Planned = 2;
   }
   if (this->HadTrial)
   {
-    this->BackOff.Learn(reply.Gain, std::max(reply.Candidates, 1));
+    this->BackOff.Learn(reply.Gain, std::max(reply.Unhidden, 1));
   }
   // The first exchange after a pause is a trial, and the verdicts from before the pause are not
   // used again.
-  this->HadTrial = this->IsTrial();
+  this->HadTrial = this->IsTrial() && !isCut;
   this->IsQuiet = this->IsQuiet && !this->BackOff.IsPaused();
   this->SinceTrial = this->BackOff.IsPaused() ? 0 : (this->SinceTrial + 1) % ExchangesPerTrial;
 }

@@ -17,8 +17,9 @@
  *    the frame has no exchange, and all ranks use their verdicts once more.
  *  - A frame has neither an exchange nor a poll while the ranks back off together. Every fourth
  *    exchange is a trial: each rank tests with its own depth, too, and reports in the next exchange
- *    how many more props the depth of all ranks has hidden. Where that is next to nothing,
- *    vtkNBufferBackOff decides how long to pause.
+ *    how many of the props that its own depth does not hide the depth of all ranks has hidden. Where
+ *    that is next to nothing, vtkNBufferBackOff decides how long to pause. A trial in a new view does not count, because the
+ *    first exchange then has little depth, and because it tells nothing of the next view.
  *
  * A frame in which nothing moves needs the poll, unless it draws what only other ranks hide. Proof:
  * Let a prop of rank B be hidden by nothing but a wall of rank A. Compare a frame before which

@@ -78,6 +78,12 @@ void vtkNBufferSharedDepth::BeginFrame(vtkRenderer* renderer, const Layout& layo
   }
 }
 
+void vtkNBufferSharedDepth::SetTrial(int hiddenByOwn, int hiddenByAll)
+{
+  this->Gain = std::max(hiddenByAll - hiddenByOwn, 0);
+  this->Unhidden = std::max(this->Report.Candidates - hiddenByOwn, 0);
+}
+
 bool vtkNBufferSharedDepth::Poll(bool changed)
 {
   this->HasPolled = true;
@@ -156,7 +162,11 @@ bool vtkNBufferSharedDepth::Exchange(const float* texels, int number)
     this->HasGiven = std::any_of(texels, texels + size,
       [](float texel) { return texel != vtkNBufferDepthConvention::Background; });
   }
-  this->Report.Gain = number == 0 ? std::exchange(this->Gain, 0) : 0;
+  if (number == 0) // Until then they are those of an earlier frame.
+  {
+    this->Report.Gain = std::exchange(this->Gain, 0);
+    this->Report.Unhidden = std::exchange(this->Unhidden, 0);
+  }
   message.SetReport(this->Report);
   const std::vector<float>& values = message.GetValues();
   this->Minima.resize(values.size());

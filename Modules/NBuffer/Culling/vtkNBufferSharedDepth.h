@@ -93,11 +93,12 @@ public:
   /// class sets the other members.
   vtkNBufferRankReport& GetReport() { return this->Report; }
 
-  /// Set what a trial has found; see vtkNBufferRankReport::Gain.
-  void SetGain(int gain) { this->Gain = gain; }
+  /// Set what a trial has found hidden by this rank's own depth, and by that of all ranks. The
+  /// number of candidates must have been reported.
+  void SetTrial(int hiddenByOwn, int hiddenByAll);
 
   /// Whether the next Merge() is that of a trial. In a trial the culler counts what its own depth
-  /// hides before Merge(), and what all ranks' depth hides after it, and calls SetGain().
+  /// hides before Merge(), and what all ranks' depth hides after it, and calls SetTrial().
   bool IsTrial() const { return this->Joined == 0 && this->Plan.IsTrial(); }
 
   /**
@@ -144,7 +145,8 @@ private:
   bool HasShared = false; ///< Whether Minima is valid for this frame.
   bool HasWarned = false;
   int Joined = 0;
-  int Gain = 0;
+  int Gain = 0; ///< The results of the last trial, until they are reported.
+  int Unhidden = 0;
   int OtherCandidates = 0;
   double Step = 0.0;
   double AssumedStep = 0.0; ///< Step, as it was when the frame began.

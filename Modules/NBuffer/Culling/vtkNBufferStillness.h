@@ -36,7 +36,7 @@ public:
 
 private:
   vtkNBufferCompatibility::DrawingSettings Drawing;
-  bool TestSlivers = true;
+  bool TestSlivers = false;
   bool IsShared = false;
   /// Whether anything has changed since the last frame that was not frozen.
   bool ChangedWhileFrozen = false;

@@ -133,7 +133,7 @@ private:
   vtkNBufferDivision Division;
   vtkNBufferProjection Projection;
   vtkNBufferLevels Levels;
-  vtkNBufferSettings Settings;
+  vtkNBufferSettings Settings{};
   vtkNBufferStatistics Statistics;
   Phase State = Phase::Aside;
   vtkNBufferStillness Stillness;
