@@ -30,7 +30,7 @@ void vtkNBufferBackOff::Learn(int saved, int inside)
   {
     return;
   }
-  if (saved >= PoorNumber && saved >= PoorShare * inside)
+  if (!IsPoor(saved, inside))
   {
     this->PoorTests = 0;
     this->LastPause = 0;

@@ -64,6 +64,12 @@ public:
    */
   void Learn(int saved, int inside);
 
+  /// Whether a test is poor that is reported in this way.
+  static bool IsPoor(int saved, int inside)
+  {
+    return saved < PoorNumber || saved < PoorShare * inside;
+  }
+
   /// Whether a pause is going on, so that the next frame must not be tested.
   bool IsPaused() const { return this->FramesLeft > 0; }
 

@@ -24,18 +24,20 @@ void vtkNBufferExchangePlan::Learn(const vtkNBufferRankReply& reply, int number)
   {
     return;
   }
-  const bool isCut = reply.NewProps > FewNewProps;
-  if (isCut)
+  const bool isNew = reply.NewProps > FewNewProps;
+  if (isNew)
   {
     this->Planned = 2;
   }
-  if (this->HadTrial)
+  const int unhidden = std::max(reply.Unhidden, 1);
+  if (this->HadTrial && !(this->WasNew && vtkNBufferBackOff::IsPoor(reply.Gain, unhidden)))
   {
-    this->BackOff.Learn(reply.Gain, std::max(reply.Unhidden, 1));
+    this->BackOff.Learn(reply.Gain, unhidden);
   }
   // The first exchange after a pause is a trial, and the verdicts from before the pause are not
   // used again.
-  this->HadTrial = this->IsTrial() && !isCut;
+  this->HadTrial = this->IsTrial();
+  this->WasNew = isNew;
   this->IsQuiet = this->IsQuiet && !this->BackOff.IsPaused();
   this->SinceTrial = this->BackOff.IsPaused() ? 0 : (this->SinceTrial + 1) % ExchangesPerTrial;
 }

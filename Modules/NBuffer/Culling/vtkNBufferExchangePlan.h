@@ -17,9 +17,9 @@
  *    the frame has no exchange, and all ranks use their verdicts once more.
  *  - A frame has neither an exchange nor a poll while the ranks back off together. Every fourth
  *    exchange is a trial: each rank tests with its own depth, too, and reports in the next exchange
- *    how many of the props that its own depth does not hide the depth of all ranks has hidden. Where
- *    that is next to nothing, vtkNBufferBackOff decides how long to pause. A trial in a new view does not count, because the
- *    first exchange then has little depth, and because it tells nothing of the next view.
+ *    how many of the props that its own depth does not hide the depth of all ranks has hidden.
+ * Where that is next to nothing, vtkNBufferBackOff decides how long to pause. A trial in a new view
+ * that finds little does not count, because the first exchange of such a frame has little depth.
  *
  * A frame in which nothing moves needs the poll, unless it draws what only other ranks hide. Proof:
  * Let a prop of rank B be hidden by nothing but a wall of rank A. Compare a frame before which
@@ -72,7 +72,8 @@ private:
   int Planned = 0;
   int SinceTrial = 0; ///< The exchanges since the last trial; 0 if the next one is a trial.
   bool MayBackOff = true;
-  bool HadTrial = false; ///< Whether the next reply has the gain of a trial.
+  bool HadTrial = false; ///< Whether the next reply has the gain of a trial,
+  bool WasNew = false;   ///< and whether that trial was in a new view.
   bool IsQuiet = false;  ///< Whether nothing had changed at the last exchange.
 };
 
