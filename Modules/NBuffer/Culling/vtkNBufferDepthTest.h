@@ -48,7 +48,8 @@ struct vtkNBufferSettings : vtkNBufferTuning
   /// Adapt the settings to a frame in which several ranks share their depth; with nullptr nothing
   /// is shared. A texel of level 0 is then a tile of the exchange. MinimumNumberOfCandidates counts
   /// the candidates of all ranks. RoundSize is divided by the number of ranks. No rank backs off
-  /// alone, because it has to read its depth for the other ranks in any case.
+  /// alone, because it has to read its depth for the other ranks in any case; what it has learned
+  /// of its tests is forgotten.
   void Share(const std::shared_ptr<vtkNBufferSharedDepth>& shared);
 
   /// Report to the other ranks how many candidates a frame has that is not tested. Even if they are

@@ -127,10 +127,7 @@ vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
   counts.Blending = this->Props.HasBlending(drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
   this->Division.Classify(renderer, this->Settings, firstBlended, counts);
-  if (!this->Settings.BackOff)
-  {
-    this->BackOff = {};
-  }
+  this->BackOff = this->Settings.BackOff ? this->BackOff : vtkNBufferBackOff();
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
     this->Settings.MinimumNumberOfCandidates, this->Settings.BackOff ? &this->BackOff : nullptr);
   if (decision != vtkNBufferDecision::Culled)

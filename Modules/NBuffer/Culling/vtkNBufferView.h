@@ -141,7 +141,6 @@ private:
   vtkNew<vtkNBufferDeferredProxy> Proxy;
   vtkNBufferLateDraws Draws;
   vtkNBufferListMaker List;
-
   vtkNBufferViewSetup Setup;
   vtkNBufferDepthSource Tested; ///< The depth that was tested last.
   int KeptInVain = 0; ///< How many kept props the last test found hidden after they were drawn.
