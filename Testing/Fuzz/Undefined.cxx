@@ -112,9 +112,10 @@ void RemoveUndefined(Scenario& scene)
       renderer.Viewport = { 0.0, 0.0, 1.0, 1.0 };
 #endif
     }
+    // The normals of flat triangles may be NaN, also in front of them (docs/limits.md).
     for (Prop& prop : scene.Props)
     {
-      prop.Flat = prop.Flat && prop.ShiftCoordinates;
+      prop.Flat = false;
     }
 #if !VTKNBUFFER_HAS_SSAO_IN_PARTS
     RemoveChanges(scene, ChangeKind::Viewport);
