@@ -41,7 +41,7 @@
  * A frame has one exchange, and two after a cut of the camera. While nothing moves it has only a
  * poll, a message of 4 bytes by which the ranks find out whether anything has changed, and while
  * the ranks back off together it has no message (vtkNBufferExchangePlan.h). An exchange sends 4
- * bytes per tile, 8 per rank and 176 more: with few ranks, 173 kB at 960 x 720 pixels. The time is
+ * bytes per tile, 12 per rank and 176 more: with few ranks, 173 kB at 960 x 720 pixels. The time is
  * that of an all-reduce of that size, and the time until the slowest rank has drawn what it draws
  * before its first test.
  *

@@ -110,6 +110,23 @@ TEST(FuzzUndefined, NoEdgesOfClippedGlyphs)
   EXPECT_FALSE(scenario.Props[2].Edges);
 }
 
+// VTK alone crashes with them.
+TEST(FuzzUndefined, NoFollowersWithoutMappers)
+{
+  Scenario scenario;
+  scenario.Props.resize(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    scenario.Props[i].Id = i;
+  }
+  scenario.Props[0].Kind = PropKind::NoMapper;
+  scenario.Props[1].Kind = PropKind::Follower;
+  scenario.Props[1].MapperOf = scenario.Props[2].MapperOf = 0;
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[1].MapperOf, -1);
+  EXPECT_EQ(scenario.Props[2].MapperOf, 0);
+}
+
 // VTK draws glyphs of lines as wide as the lines before them, be it in an earlier scenario.
 TEST(FuzzUndefined, NoWireframesOfGlyphs)
 {

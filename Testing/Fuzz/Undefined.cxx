@@ -77,6 +77,14 @@ void RemoveUndefined(Scenario& scene)
     {
       RemoveChanges(scene, ChangeKind::Opacity, prop.Id);
     }
+    // VTK crashes with a follower that has no mapper.
+    if (prop.Kind == PropKind::Follower &&
+      std::any_of(scene.Props.begin(), scene.Props.end(),
+        [&prop](const Prop& owner)
+        { return owner.Id == prop.MapperOf && owner.Kind == PropKind::NoMapper; }))
+    {
+      prop.MapperOf = -1;
+    }
     // Glyphs of lines are as wide as the lines drawn before them (docs/limits.md).
     if (prop.Kind == PropKind::Glyphs && prop.Representation == Representation::Wireframe)
     {

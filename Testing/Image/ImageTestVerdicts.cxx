@@ -290,3 +290,31 @@ TEST(CullerVerdictsOnce, AVisiblePropHasPixelsThatKeepIt)
   comparison.Frame("not tested");
   EXPECT_FALSE(find(stage.GetActor(4), pixels));
 }
+
+// Ambient occlusion draws opaque props with one sample for each pixel. Where the window has more,
+// what is translucent may have others, so that a pixel counts wherever it is touched.
+TEST(CullerVerdictsOnce, AThinPropHasPixelsWhereTheWindowHasOtherSamples)
+{
+  for (const int samples : { 0, 4 })
+  {
+    ComparisonOptions options;
+    options.Tuning.MinimumNumberOfCandidates = 1;
+    Comparison comparison(
+      [samples](Stage& stage)
+      {
+        stage.Window->SetMultiSamples(samples);
+        stage.GetRenderer()->SetUseSSAO(true);
+        Scenes::AddBox(stage, 0.021, 0.0, 0.0, 0.0001, 0.3, 0.0001);
+        Scenes::AddBox(stage, 5.0, 0.0, 0.0, 1.0, 0.3, 1.0);
+      },
+      options);
+    for (const double x : { 0.0, 0.01 })
+    {
+      comparison.Frame([x](Stage& stage) { LookAtWall(stage, x); });
+    }
+    vtkProp* thin = comparison.Culled.GetActor(0);
+    int pixels[4];
+    EXPECT_EQ(comparison.GetCuller()->GetVerdict(thin) == Verdict::Visible, samples > 0);
+    EXPECT_EQ(comparison.GetCuller()->GetVisiblePixels(thin, pixels), samples > 0);
+  }
+}

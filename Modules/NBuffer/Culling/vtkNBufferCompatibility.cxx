@@ -17,6 +17,7 @@
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkImageProcessingPass.h"
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLGL2PSHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOrderIndependentTranslucentPass.h"
@@ -304,9 +305,17 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateLi
       "SetBackend(CPU) if nothing is blended.";
     return vtkNBufferDecision::NoDepth;
   }
-  if (!source.Inspect(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), why))
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!source.Inspect(window, why))
   {
     return vtkNBufferDecision::NoDepth;
+  }
+  // A pass may draw opaque props into one sample, and the window then translucent ones into more.
+  const bool hasOtherSamples = window->GetMultiSamples() > 1 &&
+    source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
+  if (hasOtherSamples || vtkNBufferGL::CoversTouchedPixels())
+  {
+    source.Places = vtkNBufferSamples::Anywhere();
   }
   const bool isKnown = source.Viewport[2] == key.Viewport[2] &&
     source.Viewport[3] == key.Viewport[3] && source.HoldsViewport() &&

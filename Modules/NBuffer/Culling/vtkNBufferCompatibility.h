@@ -49,8 +49,8 @@ VTKNBUFFER_EXPORT void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vt
  * earlier. `key` is the view for which the culler has placed the props, and `wanted` the back-end
  * that the application has set. Reversed depth may not be used if VTK draws any of `props` in a way
  * that is meant for its own depth alone. The function writes the properties of the framebuffer to
- * `source`. If the result is a failure, it writes the cause and a remedy to `why`, which otherwise
- * stays empty.
+ * `source`; its Places are all of a pixel if what is drawn later may have other samples. If the
+ * result is a failure, it writes the cause and a remedy to `why`, which otherwise stays empty.
  */
 vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateList& props,
   const vtkNBufferViewKey& key, vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source,

@@ -79,13 +79,7 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
 {
   this->Window = window;
   this->Source = source;
-  // A pass may draw opaque props into one sample, and the window then translucent ones into more.
-  const bool hasOtherSamples = window->GetMultiSamples() > 1 &&
-    source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
-  this->Samples = hasOtherSamples || vtkNBufferGL::CoversTouchedPixels()
-    ? vtkNBufferSamples::Anywhere()
-    : source.Places;
-  this->SampleDistance = this->Samples.GetDistanceFromMiddle();
+  this->SampleDistance = source.Places.GetDistanceFromMiddle();
   for (const std::vector<int>* list : places)
   {
     for (int i : *list)
@@ -245,9 +239,9 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
     return;
   }
   const vtkNBufferClock clock;
-  const vtkNBufferFaceTest faceTest(this->Projection, this->Samples);
+  const vtkNBufferFaceTest faceTest(this->Projection, this->Source.Places);
   const vtkNBufferSliverTest sliverTest(
-    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->Samples);
+    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->Source.Places);
   std::vector<Slivers> slivers(tested.size(), Slivers::Hidden);
   auto left = places.begin();
   for (std::size_t n = 0; n < tested.size() && left != places.end(); ++n)

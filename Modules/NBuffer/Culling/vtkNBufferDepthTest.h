@@ -136,9 +136,7 @@ private:
   const vtkNBufferSettings& Settings;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferDepthSource Source;
-  /// Where a device may take the samples of a pixel, and how far that is from its middle.
-  vtkNBufferSamples Samples = vtkNBufferSamples::Anywhere();
-  double SampleDistance = 0.5;
+  double SampleDistance = 0.5; ///< How far from the middle of a pixel a sample may be.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -18,8 +18,9 @@
  *  - A frame has neither an exchange nor a poll while the ranks back off together. Every fourth
  *    exchange is a trial: each rank tests with its own depth, too, and reports in the next exchange
  *    how many of the props that its own depth does not hide the depth of all ranks has hidden.
- * Where that is next to nothing, vtkNBufferBackOff decides how long to pause. A trial in a new view
- * that finds little does not count, because the first exchange of such a frame has little depth.
+ *    Where that is next to nothing, vtkNBufferBackOff decides how long to pause. A trial in a new
+ *    view that finds little does not count, because the first exchange of such a frame has little
+ *    depth.
  *
  * A frame in which nothing moves needs the poll, unless it draws what only other ranks hide. Proof:
  * Let a prop of rank B be hidden by nothing but a wall of rank A. Compare a frame before which
