@@ -110,21 +110,22 @@ TEST(FuzzUndefined, NoEdgesOfClippedGlyphs)
   EXPECT_FALSE(scenario.Props[2].Edges);
 }
 
-// VTK alone crashes with them.
-TEST(FuzzUndefined, NoFollowersWithoutMappers)
+TEST(FuzzUndefined, NoMappersThatFollowersLackOrOtherRenderersHave)
 {
   Scenario scenario;
-  scenario.Props.resize(3);
-  for (int i = 0; i < 3; ++i)
+  scenario.Props.resize(4);
+  for (int i = 0; i < 4; ++i)
   {
     scenario.Props[i].Id = i;
+    scenario.Props[i].MapperOf = i > 0 ? 0 : -1;
   }
   scenario.Props[0].Kind = PropKind::NoMapper;
   scenario.Props[1].Kind = PropKind::Follower;
-  scenario.Props[1].MapperOf = scenario.Props[2].MapperOf = 0;
+  scenario.Props[2].Renderer = 1;
   RemoveUndefined(scenario);
   EXPECT_EQ(scenario.Props[1].MapperOf, -1);
-  EXPECT_EQ(scenario.Props[2].MapperOf, 0);
+  EXPECT_EQ(scenario.Props[2].MapperOf, -1);
+  EXPECT_EQ(scenario.Props[3].MapperOf, 0);
 }
 
 // VTK draws glyphs of lines as wide as the lines before them, be it in an earlier scenario.

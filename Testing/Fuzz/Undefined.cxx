@@ -52,6 +52,19 @@ bool HasAmbientOcclusion(const Scenario& scene)
     std::any_of(scene.Changes.begin(), scene.Changes.end(),
       [](const Change& change) { return change.Kind == ChangeKind::SSAO; });
 }
+
+/// Whether a prop may have the mapper of its MapperOf. VTK crashes with a follower that has no
+/// mapper, and the culler does not examine props of other renderers (docs/limits.md).
+bool MayShareMapper(const Scenario& scene, const Prop& prop)
+{
+  return std::none_of(scene.Props.begin(), scene.Props.end(),
+    [&prop](const Prop& owner)
+    {
+      return owner.Id == prop.MapperOf &&
+        (owner.Renderer != prop.Renderer ||
+          (owner.Kind == PropKind::NoMapper && prop.Kind == PropKind::Follower));
+    });
+}
 }
 
 void RemoveUndefined(Scenario& scene)
@@ -77,11 +90,7 @@ void RemoveUndefined(Scenario& scene)
     {
       RemoveChanges(scene, ChangeKind::Opacity, prop.Id);
     }
-    // VTK crashes with a follower that has no mapper.
-    if (prop.Kind == PropKind::Follower &&
-      std::any_of(scene.Props.begin(), scene.Props.end(),
-        [&prop](const Prop& owner)
-        { return owner.Id == prop.MapperOf && owner.Kind == PropKind::NoMapper; }))
+    if (!MayShareMapper(scene, prop))
     {
       prop.MapperOf = -1;
     }
