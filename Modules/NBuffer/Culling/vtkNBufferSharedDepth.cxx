@@ -162,7 +162,7 @@ bool vtkNBufferSharedDepth::Exchange(const float* texels, int number)
     this->HasGiven = std::any_of(texels, texels + size,
       [](float texel) { return texel != vtkNBufferDepthConvention::Background; });
   }
-  if (number == 0) // Until then they are those of an earlier frame.
+  if (number == 0) // What the trial of this frame finds is reported in the next one.
   {
     this->Report.Gain = std::exchange(this->Gain, 0);
     this->Report.Unhidden = std::exchange(this->Unhidden, 0);
