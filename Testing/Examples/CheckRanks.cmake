@@ -17,8 +17,8 @@ foreach (ranks IN ITEMS 1 16 1000)
     string(JSON ${key} GET "${json}" ranks ${ranks} ${key})
   endforeach ()
   set(drawn_${ranks} ${drawn_shared})
-  # A message has 4 bytes for each of 81 x 60 tiles, 8 for each rank, and 176 more.
-  math(EXPR expected "4 * 81 * 60 + 8 * ${ranks} + 176")
+  # A message has 4 bytes for each of 81 x 60 tiles, 12 for each rank, and 176 more.
+  math(EXPR expected "4 * 81 * 60 + 12 * ${ranks} + 176")
   if (ranks EQUAL 1)
     set(expected 0)
   endif ()
