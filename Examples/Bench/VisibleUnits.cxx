@@ -18,6 +18,7 @@
 #include "vtkPolyDataMapper.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -48,7 +49,7 @@ struct LargeMesh
   vtkPolyData* Data = nullptr;
   vtkNBufferUnits::Mesh Mesh;
   vtkNBufferUnits Units;
-  std::vector<std::size_t> UnitOfPrimitive;
+  std::vector<std::uint32_t> UnitOfPrimitive;
 
   Part MakePart(const std::set<vtkIdType>& primitives) const
   {

@@ -19,9 +19,9 @@
 #ifndef DepthChain_h
 #define DepthChain_h
 
-#include "ComputePrograms.h"
 #include "DeviceTimer.h"
 
+#include "vtkNBufferComputePrograms.h"
 #include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGLObject.h"
 
@@ -60,7 +60,7 @@ public:
   void operator=(const DepthChain&) = delete;
 
   /// Returns why the current context cannot run BuildGroups(), or an empty text if it can.
-  static std::string WhyNotGroups() { return ComputePrograms::WhyNot(); }
+  static std::string WhyNotGroups() { return vtkNBufferGL::ComputePrograms::WhyNot(); }
 
   /// Uploads depth images of one size, row 0 at the bottom, values in [0, 1]. The context must be
   /// current for this call and for those below. They return false, with the cause in `why`, on any
@@ -104,7 +104,7 @@ private:
   std::vector<vtkNBufferGL::Framebuffer> ChainTargets; ///< By level and layer.
   std::vector<vtkNBufferGL::Framebuffer> LevelTargets; ///< By layer.
   vtkNBufferGL::FullScreenPass Pass;
-  ComputePrograms Groups;
+  vtkNBufferGL::ComputePrograms Groups;
   DeviceTimer Timer;
   std::unique_ptr<vtkOpenGLResourceFreeCallback<DepthChain>> ResourceCallback;
 };

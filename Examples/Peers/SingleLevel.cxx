@@ -36,7 +36,7 @@ SingleLevel::~SingleLevel()
 
 std::string SingleLevel::WhyNot(ReduceMethod method)
 {
-  return method == ReduceMethod::Compute ? ComputePrograms::WhyNot() : "";
+  return method == ReduceMethod::Compute ? vtkNBufferGL::ComputePrograms::WhyNot() : "";
 }
 
 bool SingleLevel::SetDepth(vtkOpenGLRenderWindow* window, const std::vector<float>& depth,

@@ -18,9 +18,9 @@
 #ifndef SingleLevel_h
 #define SingleLevel_h
 
-#include "ComputePrograms.h"
 #include "DeviceTimer.h"
 
+#include "vtkNBufferComputePrograms.h"
 #include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGLObject.h"
 
@@ -89,7 +89,7 @@ private:
   vtkNBufferGL::GrowingTexture Depth;
   vtkNBufferGL::GrowingTexture Targets[2]; ///< The level is in the first one.
   vtkNBufferGL::FullScreenPass Pass;
-  ComputePrograms Compute;
+  vtkNBufferGL::ComputePrograms Compute;
   DeviceTimer Timer;
   std::unique_ptr<vtkOpenGLResourceFreeCallback<SingleLevel>> ResourceCallback;
 };

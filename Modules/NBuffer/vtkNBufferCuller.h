@@ -139,7 +139,8 @@ public:
   /// vtkNBufferTuning::MinimumNumberOfPrimitives triangles or points, whose units are groups of
   /// neighbours. A pass in the property keys lets VTK draw only units that may be seen, from its
   /// own vertex buffers (vtkNBufferDrawHook.h says when a mesh is drawn whole). Takes 12 bytes per
-  /// triangle and, if the file does not list neighbours together, 4 more. Default: on.
+  /// triangle and, if the file does not list neighbours together, 4 more. With the OpenGL back-end
+  /// the device takes up to 28 bytes per triangle more for what it draws. Default: on.
   vtkSetMacro(DivideProps, bool);
   vtkGetMacro(DivideProps, bool);
   vtkBooleanMacro(DivideProps, bool);

@@ -62,6 +62,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["units_kept"] = this->UnitsKept;
   json["units_fresh"] = this->UnitsFresh;
   json["units_hidden"] = this->UnitsHidden;
+  json["units_on_device"] = this->UnitsOnDevice;
   json["fresh_draws"] = this->FreshDraws;
   json["tie_queries"] = this->TieQueries;
   json["slivers"] = this->Slivers;

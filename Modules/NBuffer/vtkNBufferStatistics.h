@@ -143,6 +143,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   int UnitsFresh = 0;
   int UnitsHidden = 0;
   ///@}
+  /// How many of the units are in props whose units the graphics device has tested
+  /// (vtkNBufferTuning::MinimumNumberOfUnitsOnDevice).
+  int UnitsOnDevice = 0;
   /// How many props were drawn a second time, for their fresh units.
   int FreshDraws = 0;
 

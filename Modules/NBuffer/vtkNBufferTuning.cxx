@@ -21,6 +21,8 @@ constexpr vtkNBufferNamedMember<vtkNBufferTuning> Members[] = {
   { "UnitSize", &vtkNBufferTuning::UnitSize, 1, 65536 },
   { "DivideAfter", &vtkNBufferTuning::DivideAfter, 0, VTK_INT_MAX },
   { "DivideInBackground", &vtkNBufferTuning::DivideInBackground },
+  { "MinimumNumberOfUnitsOnDevice", &vtkNBufferTuning::MinimumNumberOfUnitsOnDevice, 1,
+    VTK_INT_MAX },
   { "TimeUnits", &vtkNBufferTuning::TimeUnits, 0, 2 },
   { "TestTriangles", &vtkNBufferTuning::TestTriangles },
   { "TestPixels", &vtkNBufferTuning::TestPixels },

@@ -71,6 +71,10 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   bool DivideInBackground = true;
   ///@}
 
+  /// With the OpenGL back-end, the graphics device tests the units of a prop that has at least this
+  /// many; 1 or more. It always makes the lists of what is drawn of a prop (vtkNBufferUnitDevice).
+  int MinimumNumberOfUnitsOnDevice = 1024;
+
   /// Whether the times of a few frames decide if props are divided (vtkNBufferUnitTrial): 0 means
   /// that they always are, 1 that times decide on graphics devices, but not on software renderers,
   /// where that is always worth it, and 2 that times decide everywhere.

@@ -64,6 +64,11 @@ MUTANTS = {
          "vtkNBufferBox box = vtkNBufferBox::FromBounds(values); box.HalfSize *= 0.99;")],
     "groups in space treated as runs": [
         (UNITS, "if (!this->AreSpatial())", "if (true)")],
+    "lists of the device in another order than the mesh": [
+        ("vtkNBufferListCS.glsl", "return before[i] - mine;", "return all - before[i];")],
+    "lists of the device without the last primitive of a work group's part": [
+        ("vtkNBufferListCS.glsl", "sums[gl_WorkGroupID.x] = all;",
+         "sums[gl_WorkGroupID.x] = all - min(all, 1u);")],
     "fresh units over those that come later in the mesh": [
         ("vtkNBufferTieOrder.cxx", "a.Round > b.Round;", "a.Round < b.Round;")],
     "cell values of a shortened list": [
@@ -81,13 +86,13 @@ MUTANTS = {
         (HOOK, "source.Corners == 0 || !(source == this->Read) || (source.IsNumbered",
          "source.Corners == 0 || (source.IsNumbered")],
     "the list of the first source drawn for all sources": [
-        (INSTANCES, "const Batch* batch = this->Find(GetKey(mapper, stream));",
-         "const Batch* batch = this->Batches.front().get();")],
+        (INSTANCES, "  Batch* batch = this->Find(GetKey(mapper, stream));",
+         "  Batch* batch = this->Batches.front().get();")],
     "instances of a source counted from the first source": [
         (INSTANCES, "part.push_back(*begin / 2 - first);",
          "part.push_back(std::min<std::size_t>(*begin / 2, end - first - 1));")],
     "translucent units not tested in this frame": [
-        (DIVIDED, "  this->Culling.ClearDrawn();\n  this->Culling.Test(projection, depth);\n",
+        (DIVIDED, "  this->Culling.ClearDrawn();\n  this->TestUnits(projection, depth);\n",
          "  (void)projection;\n  (void)depth;\n")],
     "translucent glyphs tested as a whole by the bounds that VTK estimates": [
         ("vtkNBufferCandidate.h", "(this->IsTranslucent() && !this->HasInstances)",

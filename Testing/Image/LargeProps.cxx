@@ -3,6 +3,7 @@
 #include "LargeProps.h"
 #include "Scenes.h"
 #include "TestedBackend.h"
+#include "vtkNBufferComputePrograms.h"
 
 #include "vtkCamera.h"
 #include "vtkHardwareSelector.h"
@@ -28,6 +29,7 @@ ComparisonOptions MakeOptions(int unitSize)
   options.Tuning.MinimumNumberOfPrimitives = 100;
   options.Tuning.UnitSize = unitSize;
   options.Tuning.DivideAfter = 0;
+  options.Tuning.MinimumNumberOfUnitsOnDevice = 1;
   options.Tuning.DivideInBackground = false;
   return options;
 }
@@ -128,6 +130,7 @@ Units CompareWalk(Comparison& comparison, const Path& path)
   {
     CompareFrames(comparison, path, i, i + 1);
     units.Hidden += comparison.GetStatistics().UnitsHidden;
+    units.OnDevice += comparison.GetStatistics().UnitsOnDevice;
     units.Fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
     EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0)
       << i << comparison.GetCuller()->GetStatisticsAsJSON();
@@ -156,6 +159,8 @@ void CompareWalks(const Comparison::Change& build, ComparisonOptions options, in
     const Units units = CompareWalk(comparison, path);
     EXPECT_GT(units.Hidden, least.Hidden / (TestsAllPixels(comparison.GetCuller()) ? 1 : 3));
     EXPECT_GT(units.Fresh, least.Fresh) << "units that come into view are drawn late";
+    const bool hasShaders = vtkNBufferGL::ComputePrograms::WhyNot().empty();
+    EXPECT_EQ(units.OnDevice > 0, hasShaders && !TestsAllPixels(comparison.GetCuller()));
     afterwards(comparison);
   }
 }

@@ -83,11 +83,12 @@ void WalkFromOutside(vtkRenderer* renderer, int frame);
 ///@}
 
 /// The sums over a walk of hidden units and, after its first three frames, of fresh units: those
-/// that the culler draws late.
+/// that the culler draws late; and the units that the graphics device has tested.
 struct Units
 {
   int Hidden = 0;
   int Fresh = 0;
+  int OnDevice = 0;
 };
 
 /// Compares 14 frames, and returns the sums. Expects that there are units from the third frame on.

@@ -224,6 +224,7 @@ void Player::AddCullers()
         culler, &vtkNBufferTuning::MinimumNumberOfPrimitives, settings.MinimumNumberOfPrimitives);
       Tune(culler, &vtkNBufferTuning::UnitSize, settings.UnitSize);
       Tune(culler, &vtkNBufferTuning::DivideAfter, 0);
+      Tune(culler, &vtkNBufferTuning::MinimumNumberOfUnitsOnDevice, 1);
       // The same units in the same frame, whenever the scenario is run.
       Tune(culler, &vtkNBufferTuning::DivideInBackground, false);
       Tune(culler, &vtkNBufferTuning::TimeUnits, 0);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GLStateSnapshot.h"
 
-#include "vtkNBufferVTKVersion.h"
-#include VTKNBUFFER_GL_HEADER
+#include "vtkNBufferGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -116,6 +115,18 @@ GLStateSnapshot GLStateSnapshot::Capture(vtkOpenGLRenderWindow* window)
   }
   glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, integers);
   values["GL_SAMPLE_MASK_VALUE"] = Join(integers, 1);
+  if (vtkNBufferGL::HasVersion(4, 3))
+  {
+    glGetIntegerv(GL_DRAW_INDIRECT_BUFFER_BINDING, integers);
+    values["GL_DRAW_INDIRECT_BUFFER_BINDING"] = Join(integers, 1);
+    glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, integers);
+    values["GL_SHADER_STORAGE_BUFFER_BINDING"] = Join(integers, 1);
+    for (GLuint number = 0; number < 8; ++number)
+    {
+      glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, number, integers);
+      values["GL_SHADER_STORAGE_BUFFER_BINDING " + std::to_string(number)] = Join(integers, 1);
+    }
+  }
 
   GLint active = 0;
   GLint units = 0;
@@ -130,17 +141,11 @@ GLStateSnapshot GLStateSnapshot::Capture(vtkOpenGLRenderWindow* window)
       glGetIntegerv(query.Value, integers);
       values[query.Name + suffix] = Join(integers, 1);
     }
-#ifdef GL_SAMPLER_BINDING
-    GLint major = 0;
-    GLint minor = 0;
-    glGetIntegerv(GL_MAJOR_VERSION, &major);
-    glGetIntegerv(GL_MINOR_VERSION, &minor);
-    if (major > 3 || minor >= 3)
+    if (vtkNBufferGL::HasVersion(3, 3))
     {
       glGetIntegerv(GL_SAMPLER_BINDING, integers);
       values["GL_SAMPLER_BINDING" + suffix] = Join(integers, 1);
     }
-#endif
   }
   glActiveTexture(active);
 

@@ -48,6 +48,7 @@ std::string FindInconsistency(
   demand(s.UnitsOutside >= 0 && s.UnitsKept >= 0 && s.UnitsFresh >= 0 && s.UnitsHidden >= 0 &&
       s.UnitsOutside + s.UnitsKept + s.UnitsFresh + s.UnitsHidden == s.Units,
     "Units = outside + kept + fresh + hidden");
+  demand(s.UnitsOnDevice >= 0 && s.UnitsOnDevice <= s.Units, "UnitsOnDevice <= Units");
   demand(s.Decision <= vtkNBufferDecision::BackedOff || hidden == 0,
     "nothing is hidden where the culler steps aside");
   return faults;

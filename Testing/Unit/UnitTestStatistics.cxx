@@ -113,6 +113,7 @@ const Fields<Culling> CullingFields = {
     { "refits", &Culling::Refits }, { "builds", &Culling::Builds }, { "units", &Culling::Units },
     { "units_outside", &Culling::UnitsOutside }, { "units_kept", &Culling::UnitsKept },
     { "units_fresh", &Culling::UnitsFresh }, { "units_hidden", &Culling::UnitsHidden },
+    { "units_on_device", &Culling::UnitsOnDevice },
     { "fresh_draws", &Culling::FreshDraws }, { "tie_queries", &Culling::TieQueries } },
   { { "texels", &Culling::Texels }, { "queries", &Culling::Queries },
     { "lookups", &Culling::Lookups }, { "bytes_read", &Culling::BytesRead },
@@ -199,7 +200,7 @@ TEST(NBufferStatistics, JSONHoldsEveryField)
   {
     EXPECT_EQ(json["drawn_in_round"][i].asInt(), 10 + i);
   }
-  EXPECT_EQ(json.size(), 32u) << "a new field wants its line here";
+  EXPECT_EQ(json.size(), 33u) << "a new field wants its line here";
 }
 
 TEST(ShadowStatistics, EveryEnumeratorHasItsOwnName)

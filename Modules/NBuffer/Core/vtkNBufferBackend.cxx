@@ -161,12 +161,12 @@ bool vtkNBufferBackend::DrawsKnownDepth(const vtkNBufferDepthSource& source)
 }
 
 vtkNBufferDecision vtkNBufferBackend::Reduce(
-  vtkNBufferTexture* texture, const Job& job, int factor, std::string& why)
+  vtkNBufferTexture* texture, const Job& job, int factor, std::string& why, int levels)
 {
   const vtkNBufferClock clock;
   const int* viewport = job.Source.Viewport;
   if (!texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2], viewport[3],
-        factor, 1, vtkNBufferDepthConvention::GetFarthest(job.Source.Stored)))
+        factor, levels, vtkNBufferDepthConvention::GetFarthest(job.Source.Stored)))
   {
     why = texture->GetError();
     return texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
@@ -281,6 +281,20 @@ const float* vtkNBufferBackend::GetDepth(
     }
   }
   return this->HasDepth ? this->Depth.data() : nullptr;
+}
+
+const vtkNBufferTexture* vtkNBufferBackend::GetTexture(const Job& job)
+{
+  if (this->InUse != OpenGL || this->IsMerged ||
+    job.Source.Stored != vtkNBufferStoredDepth::Ordinary)
+  {
+    return nullptr;
+  }
+  // Build() has made only level 0 of it.
+  std::string why;
+  const bool isBuilt = this->Texture->GetNumberOfLevels() == job.NumberOfLevels ||
+    Reduce(this->Texture, job, job.Factor, why, job.NumberOfLevels) == vtkNBufferDecision::None;
+  return isBuilt ? this->Texture.Get() : nullptr;
 }
 
 vtkNBufferDecision vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)

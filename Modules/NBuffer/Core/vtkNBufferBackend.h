@@ -86,6 +86,13 @@ public:
   const float* GetDepth(const Job& job, const std::vector<vtkNBufferRectangle>& rectangles);
 
   /**
+   * The levels of `job` on the device, the same texels as in host memory. Returns nullptr if the
+   * host has built them, if other ranks have made them nearer, or if the depth is stored in another
+   * order. Nothing may have been drawn since Build().
+   */
+  const vtkNBufferTexture* GetTexture(const Job& job);
+
+  /**
    * Whether the state of OpenGL is the one that the test requires while props are drawn: a depth
    * test that lets nearer fragments pass (vtkNBufferStoredDepth), no scissor that cuts the
    * viewport, and depth that is written.
@@ -119,9 +126,9 @@ private:
   vtkNBufferDecision BuildOnDevice(const Job& job, std::string& why);
   vtkNBufferDecision BuildOnHost(const Job& job, std::string& why);
   vtkNBufferDecision ReadDepth(const Job& job, std::string& why);
-  /// Let the device reduce the depth to level 0 of `texture`.
+  /// Let the device reduce the depth to level 0 of `texture`, and build the levels above it.
   static vtkNBufferDecision Reduce(
-    vtkNBufferTexture* texture, const Job& job, int factor, std::string& why);
+    vtkNBufferTexture* texture, const Job& job, int factor, std::string& why, int levels = 1);
   /// Replace each pixel of a rectangle of the depth image that is farther than its texel of level 0
   /// by this texel.
   void MergePixels(const vtkNBufferLevels& levels, const vtkNBufferRectangle& pixels);

@@ -149,7 +149,8 @@ vtkNBufferDividedProp::Depth vtkNBufferDepthTest::GetDepthOfUnits()
   const bool isAtHand =
     this->Settings.TestPixels && this->Backend.GetInUse() == vtkNBufferBackend::CPU;
   return { this->Levels, isAtHand ? this->Backend.GetDepth(this->GetJob(1), {}) : nullptr,
-    this->SampleDistance };
+    this->SampleDistance,
+    [this] { return this->Backend.GetTexture(this->GetJob(this->Levels.GetNumberOfLevels())); } };
 }
 
 const vtkNBufferScreenBox* vtkNBufferDepthTest::GetScreen(int i)

@@ -35,6 +35,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
+class vtkOpenGLRenderWindow;
 class vtkRenderer;
 struct vtkNBufferSettings;
 struct vtkNBufferStatistics;
@@ -164,9 +165,12 @@ private:
   Entry* Find(int place);
   void FindLarge(const std::vector<int>& places);
   bool DrawsUnits(vtkRenderer* renderer, const vtkNBufferSettings& settings);
+  vtkNBufferUnitDevice* FindDevice(
+    vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings);
   vtkNBufferCandidateList& Props;
   vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< The pass of the window.
   vtkNew<vtkNBufferUnitTrial> Trial;
+  vtkNBufferUnitDevice Device;
   std::vector<Entry> Entries; ///< In the order of their places.
   int ListNumber = -1;        ///< vtkNBufferCandidateList::GetListNumber() of the places.
   int Minimum = VTK_INT_MAX;  ///< A prop with at least this many cells is large.

@@ -33,4 +33,15 @@
 #define NBUFFER_SHADOW_PLACE_TOLERANCE 0.015625
 #define NBUFFER_SHADOW_DEPTH_TOLERANCE 4.76837158203125e-7
 
+// What a compute shader finds out about a node of units (vtkNBufferUnitAnswers.h), as bits.
+#define NBUFFER_ANSWER_NONE 0u
+#define NBUFFER_ANSWER_OUTSIDE 1u
+#define NBUFFER_ANSWER_HIDDEN 2u
+#define NBUFFER_ANSWER_VISIBLE 3u
+#define NBUFFER_ANSWER_BITS 2u
+#define NBUFFER_ANSWER_MASK 3u
+
+// The largest number of children of a node of units (vtkNBufferUnits.h).
+#define NBUFFER_FANOUT 8u
+
 #endif

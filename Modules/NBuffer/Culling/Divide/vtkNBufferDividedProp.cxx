@@ -49,8 +49,8 @@ void vtkNBufferDividedProp::Release()
   this->Mesh = {};
 }
 
-void vtkNBufferDividedProp::BeginFrame(
-  bool changed, vtkOpenGLRenderWindow* window, const vtkNBufferTuning& tuning)
+void vtkNBufferDividedProp::BeginFrame(bool changed, vtkOpenGLRenderWindow* window,
+  vtkNBufferUnitDevice* device, const vtkNBufferTuning& tuning)
 {
   const bool isStale = this->State == Phase::Ready && (this->Hook.IsStale() || this->IsOutdated);
   if (changed && this->State == Phase::Ready && this->HasSameData())
@@ -61,8 +61,10 @@ void vtkNBufferDividedProp::BeginFrame(
   {
     this->Release();
   }
-  this->Hook.BeginFrame(window);
-  this->IsDrawn = this->FreshIsNext = this->Settled = false;
+  this->Hook.BeginFrame(window, device);
+  this->MinimumNumberOfUnitsOnDevice =
+    static_cast<std::size_t>(tuning.MinimumNumberOfUnitsOnDevice);
+  this->IsDrawn = this->FreshIsNext = this->Settled = this->TestedOnDevice = false;
   if (this->State == Phase::Waiting && this->StillFrames++ >= tuning.DivideAfter)
   {
     this->State = Phase::Reading;
@@ -177,7 +179,7 @@ int vtkNBufferDividedProp::Test(const vtkNBufferProjection& projection, const De
   {
     this->Culling.ClearDrawn();
   }
-  const int fresh = this->Culling.Test(projection, depth);
+  const int fresh = this->TestUnits(projection, depth);
   this->FreshIsNext = fresh > 0;
   this->Settled = this->IsDrawn;
   return fresh;
@@ -186,8 +188,34 @@ int vtkNBufferDividedProp::Test(const vtkNBufferProjection& projection, const De
 void vtkNBufferDividedProp::TestAll(const vtkNBufferProjection& projection, const Depth& depth)
 {
   this->Culling.ClearDrawn();
-  this->Culling.Test(projection, depth);
+  this->TestUnits(projection, depth);
   this->Culling.AddFreshToDrawn();
+}
+
+int vtkNBufferDividedProp::TestUnits(const vtkNBufferProjection& projection, const Depth& depth)
+{
+  this->TestedOnDevice = this->TestOnDevice(projection, depth);
+  return this->Culling.Test(projection, depth, this->TestedOnDevice ? &this->Answers : nullptr);
+}
+
+bool vtkNBufferDividedProp::TestOnDevice(const vtkNBufferProjection& projection, const Depth& depth)
+{
+  const vtkNBufferUnits& units = this->Culling.GetUnits();
+  vtkNBufferUnitDevice* device = this->Hook.GetDevice();
+  const bool isWorthIt = device && device->IsRight() && depth.GetTexture &&
+    units.GetSize() >= this->MinimumNumberOfUnitsOnDevice;
+  const vtkNBufferTexture* texture = isWorthIt ? depth.GetTexture() : nullptr;
+  if (!texture)
+  {
+    return false;
+  }
+  device->Test(units, this->Hook.GetBuffersOnDevice(), projection, this->Culling.MakeBox({}),
+    texture, depth.Levels, depth.SampleDistance, this->Answers);
+  if (!device->IsChecked())
+  {
+    device->SetChecked(this->Culling.AreRight(this->Answers, projection, depth));
+  }
+  return device->IsRight();
 }
 
 int vtkNBufferDividedProp::DrawList(vtkNBufferDrawHook::List list,

@@ -66,9 +66,11 @@ public:
   /// Draw the prop whole, and forget its units, until the next BeginFrame().
   void Release();
 
-  /// Begin a frame. `changed` says whether what the prop draws may have changed, and the tuning how
-  /// units are made.
-  void BeginFrame(bool changed, vtkOpenGLRenderWindow* window, const vtkNBufferTuning& tuning);
+  /// Begin a frame. `changed` says whether what the prop draws may have changed, `device` is
+  /// nullptr or tests units and makes lists on the graphics device, and the tuning says how units
+  /// are made.
+  void BeginFrame(bool changed, vtkOpenGLRenderWindow* window, vtkNBufferUnitDevice* device,
+    const vtkNBufferTuning& tuning);
 
   /// Whether the next draw has to be made by Draw(), so that it can read what VTK draws.
   bool IsReading() const { return this->State == Phase::Reading; }
@@ -103,6 +105,9 @@ public:
   /// Whether all units have been tested after that draw. No further test is needed then, because
   /// what a test has found hidden stays hidden in this frame.
   bool IsSettled() const { return this->Settled; }
+
+  /// Whether the graphics device has made the last test of this frame.
+  bool IsTestedOnDevice() const { return this->TestedOnDevice; }
 
   /// Bounds of the fresh units in the coordinates of the mesh, in a few groups of neighbours.
   std::vector<vtkNBufferUnits::Box> GetFreshGroups() const
@@ -155,6 +160,8 @@ private:
   void ReadRounding();
   void Build(const vtkNBufferTuning& tuning);
   void Adopt();
+  int TestUnits(const vtkNBufferProjection& projection, const Depth& depth);
+  bool TestOnDevice(const vtkNBufferProjection& projection, const Depth& depth);
   int DrawList(vtkNBufferDrawHook::List list, const std::vector<unsigned char>& marked,
     const std::function<int()>& drawWhole);
 
@@ -168,9 +175,12 @@ private:
   std::future<vtkNBufferUnits> Pending;
   vtkNBufferUnits::Mesh Mesh; ///< The points are released when the units are made.
   vtkNBufferUnitCulling Culling;
+  vtkNBufferUnitAnswers Answers; ///< Of the last test on the device.
+  std::size_t MinimumNumberOfUnitsOnDevice = 1;
   bool IsDrawn = false;
   bool FreshIsNext = false;
   bool Settled = false;
+  bool TestedOnDevice = false;
 };
 
 VTK_ABI_NAMESPACE_END

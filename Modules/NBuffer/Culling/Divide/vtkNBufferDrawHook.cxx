@@ -35,7 +35,8 @@ vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLH
           : static_cast<std::size_t>(data->GetNumberOfPoints())) &&
     stream->IBO->IndexCount % corners == 0;
   return { mapper, data, data ? data->GetMTime() : 0, stream->IBO->IndexCount,
-    isKnown ? corners : 0, false, vtkNBufferOwnDraw::NumbersPrimitives(stream) };
+    isKnown ? corners : 0, false, vtkNBufferOwnDraw::NumbersPrimitives(stream),
+    !(isSplats && vtkNBufferSplatStream::DrawsArrays(stream)) };
 }
 }
 
@@ -90,6 +91,15 @@ void vtkNBufferDrawHook::ReadNext()
   {
     buffer.Marked.clear(); // The same units of another mesh have other indices.
   }
+  this->OnDevice.Delete();
+}
+
+bool vtkNBufferDrawHook::CanListOnDevice() const
+{
+  const std::size_t bytes = this->Read.AreInstances ? this->Instances.GetLargestBuffer()
+                                                    : this->Read.IndexCount * sizeof(unsigned int);
+  return this->Device && !this->Read.IsNumbered && !this->Read.HasBlocks() &&
+    this->Read.HasIndices && this->Device->CanCopy(bytes);
 }
 
 void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
@@ -97,11 +107,19 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
 {
   this->Stale = false;
   Buffer& buffer = this->Buffers[list];
-  if (buffer.Marked == marked)
+  if (buffer.Marked == marked && !buffer.IsPending)
   {
     return;
   }
   buffer.Marked = marked;
+  buffer.Choice = {};
+  buffer.IsPending = this->CanListOnDevice();
+  if (buffer.IsPending)
+  {
+    buffer.Choice = { &units, &buffer.Marked, &this->OnDevice };
+    this->Instances.SetPending(list);
+    return;
+  }
   if (this->Read.IsNumbered)
   {
     buffer.Ranges = units.GetRanges(marked);
@@ -168,15 +186,35 @@ void vtkNBufferDrawHook::SetStream(vtkAbstractMapper* mapper)
   {
     return;
   }
-  const bool hasIndices = !splats || !vtkNBufferSplatStream::DrawsArrays(stream);
-  this->Own.SetNext(surface, stream, hasIndices,
+  this->Own.SetNext(surface, stream, source.HasIndices,
     [this, list = this->Current, stream]()
     {
-      const Buffer& buffer = this->Buffers[list];
-      return this->Read.IsNumbered
-        ? vtkNBufferOwnDraw::DrawRanges(buffer.Ranges, stream)
-        : vtkNBufferOwnDraw::DrawIndices(buffer.Object, this->Read.Corners == 1);
+      Buffer& buffer = this->Buffers[list];
+      return this->Read.IsNumbered ? vtkNBufferOwnDraw::DrawRanges(buffer.Ranges, stream)
+                                   : this->DrawIndices(buffer, stream);
     });
+}
+
+bool vtkNBufferDrawHook::DrawIndices(Buffer& buffer, vtkOpenGLHelper* stream)
+{
+  const bool arePoints = this->Read.Corners == 1;
+  if (!buffer.Choice.Units)
+  {
+    return vtkNBufferOwnDraw::DrawIndices(buffer.Object, arePoints);
+  }
+  if (std::exchange(buffer.IsPending, false))
+  {
+    buffer.Object->GenerateBuffer(vtkOpenGLBufferObject::ElementArrayBuffer);
+    const auto corners = static_cast<unsigned int>(this->Read.Corners);
+    this->Device->MakeList(buffer.Choice, this->Read.IndexCount / corners,
+      { static_cast<unsigned int>(stream->IBO->GetHandle()),
+        static_cast<unsigned int>(buffer.Object->GetHandle()), corners },
+      buffer.OnDevice);
+  }
+  buffer.Object->Bind();
+  buffer.OnDevice.Draw(arePoints ? GL_POINTS : GL_TRIANGLES);
+  buffer.Object->Release();
+  return true;
 }
 
 void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
@@ -206,7 +244,11 @@ void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
   }
   this->Own.SetNext(mapper, stream, true,
     [this, list = this->Current, mapper, stream]()
-    { return this->Instances.Draw(list, mapper, stream); });
+    {
+      Buffer& buffer = this->Buffers[list];
+      buffer.IsPending = false;
+      return this->Instances.Draw(list, mapper, stream, this->Device, buffer.Choice);
+    });
 }
 
 void vtkNBufferDrawHook::SetBlocks(vtkAbstractMapper* mapper)
@@ -259,8 +301,10 @@ void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
   for (Buffer& buffer : this->Buffers)
   {
     buffer.Object->ReleaseGraphicsResources();
+    buffer.OnDevice.Object.Delete();
     buffer.Marked.clear();
   }
+  this->OnDevice.Delete();
   this->Instances.ReleaseGraphicsResources();
   this->Own.ReleaseGraphicsResources();
 }

@@ -32,6 +32,7 @@
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferOwnDraw.h"
 #include "vtkNBufferResourceCallback.h"
+#include "vtkNBufferUnitDevice.h"
 #include "vtkNBufferUnits.h"
 
 #include "vtkNew.h"
@@ -78,6 +79,7 @@ public:
     /// Whether the shader reads values by the numbers of primitives, for example values of cells.
     /// This depends on the shader alone, and is not compared.
     bool IsNumbered = false;
+    bool HasIndices = true; ///< Whether VTK's draw has an index buffer. Not compared.
 
     bool HasBlocks() const { return this->Corners == 2 && !this->AreInstances; }
 
@@ -98,11 +100,13 @@ public:
     NumberOfLists = Whole
   };
 
-  /// Begin a frame of a window. The buffers of the hook are released with its context.
-  void BeginFrame(vtkOpenGLRenderWindow* window)
+  /// Begin a frame of a window. The buffers of the hook are released with its context. `device` is
+  /// nullptr, or makes lists and tests units on the graphics device.
+  void BeginFrame(vtkOpenGLRenderWindow* window, vtkNBufferUnitDevice* device)
   {
     this->Resources->RegisterGraphicsResources(window);
     this->Blocks.BeginFrame();
+    this->Device = device;
   }
 
   /// Let the next draw read what it draws, for GetSource() and TakeMesh().
@@ -117,8 +121,13 @@ public:
   const vtkNBufferBlockStream& GetBlocks() const { return this->Blocks; }
   ///@}
 
+  /// The device given to BeginFrame(), and what it keeps of the units.
+  vtkNBufferUnitDevice* GetDevice() const { return this->Device; }
+  vtkNBufferUnitDevice::Buffers& GetBuffersOnDevice() { return this->OnDevice; }
+
   /// Let draws of this list draw the primitives of the units that are marked. `indices` are those
-  /// of the whole mesh that was read last. The window's context must be current.
+  /// of the whole mesh that was read last. The window's context must be current. `units` must
+  /// outlive the draws.
   void SetList(List list, const vtkNBufferUnits& units, const std::vector<unsigned int>& indices,
     const std::vector<unsigned char>& marked);
 
@@ -151,6 +160,10 @@ private:
     std::vector<unsigned char> Marked;          ///< The units of which the list consists.
     std::vector<vtkNBufferUnits::Range> Ranges; ///< The list, if primitives are numbered.
     std::vector<unsigned int> Indices;          ///< Only SetList() uses it, again and again.
+    /// If the device makes the list, which it does when VTK draws for the first time.
+    vtkNBufferUnitDevice::List OnDevice;
+    vtkNBufferUnitDevice::Choice Choice; ///< Its Units are nullptr if the host makes the list.
+    bool IsPending = false;              ///< Whether the next draw makes the list.
   };
 
   void BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop);
@@ -159,6 +172,8 @@ private:
   void SetStream(vtkAbstractMapper* mapper);
   void ReadSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source);
   bool IsAsRead(const Source& source);
+  bool CanListOnDevice() const;
+  bool DrawIndices(Buffer& buffer, vtkOpenGLHelper* stream);
   void Restore();
 
   using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferDrawHook>;
@@ -174,6 +189,8 @@ private:
   vtkNBufferInstanceStream Instances;
   vtkNBufferBlockStream Blocks;
   vtkNBufferOwnDraw Own;
+  vtkNBufferUnitDevice* Device = nullptr;
+  vtkNBufferUnitDevice::Buffers OnDevice;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -160,7 +160,7 @@ std::size_t vtkNBufferInstanceStream::FindInstance(std::size_t point) const
   return isThere ? this->Numbers[point] : std::numeric_limits<std::size_t>::max();
 }
 
-const vtkNBufferInstanceStream::Batch* vtkNBufferInstanceStream::Find(const Key& key) const
+vtkNBufferInstanceStream::Batch* vtkNBufferInstanceStream::Find(const Key& key) const
 {
   const auto found = std::find_if(this->Batches.begin(), this->Batches.end(),
     [&key](const auto& batch) { return batch->Drawn == key; });
@@ -252,7 +252,7 @@ void vtkNBufferInstanceStream::Upload(int list, const std::vector<unsigned int>&
   auto begin = corners.begin();
   for (const auto& batch : this->Batches)
   {
-    const std::size_t end = first + batch->Matrices.size() / MatrixSize;
+    const std::size_t end = first + batch->GetSize();
     std::vector<std::size_t> part; // The places of the chosen instances in this batch.
     for (; begin != corners.end() && *begin < 2 * end; begin += 2)
     {
@@ -261,16 +261,66 @@ void vtkNBufferInstanceStream::Upload(int list, const std::vector<unsigned int>&
     first = end;
     List& target = batch->Lists[list];
     target.Size = part.size();
+    target.IsOnDevice = target.IsPending = false;
     UploadPart(target.Matrices, batch->Matrices, MatrixSize, part);
     UploadPart(target.NormalMatrices, batch->NormalMatrices, NormalMatrixSize, part);
     UploadPart(target.Colors, batch->Colors, ColorSize, part);
   }
 }
 
-bool vtkNBufferInstanceStream::Draw(
-  int number, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
+void vtkNBufferInstanceStream::SetPending(int list)
 {
-  const Batch* batch = this->Find(GetKey(mapper, stream));
+  for (const auto& batch : this->Batches)
+  {
+    batch->Lists[list].IsOnDevice = batch->Lists[list].IsPending = true;
+  }
+}
+
+std::size_t vtkNBufferInstanceStream::GetLargestBuffer() const
+{
+  std::size_t largest = 0;
+  for (const auto& batch : this->Batches)
+  {
+    largest = std::max(largest, batch->Matrices.size() * sizeof(float));
+  }
+  return largest;
+}
+
+void vtkNBufferInstanceStream::MakeOnDevice(Batch* batch, int number,
+  vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream, vtkNBufferUnitDevice* device,
+  const vtkNBufferUnitDevice::Choice& choice)
+{
+  std::size_t first = 0;
+  for (auto other = this->Batches.begin(); other->get() != batch; ++other)
+  {
+    first += (*other)->GetSize();
+  }
+  const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
+  List& list = batch->Lists[number];
+  std::vector<vtkNBufferUnitDevice::Records> records;
+  const auto add =
+    [&records](vtkOpenGLBufferObject* source, vtkOpenGLBufferObject* target, std::size_t bytes)
+  {
+    target->GenerateBuffer(vtkOpenGLBufferObject::ArrayBuffer);
+    records.push_back({ static_cast<unsigned int>(source->GetHandle()),
+      static_cast<unsigned int>(target->GetHandle()),
+      static_cast<unsigned int>(bytes / sizeof(std::uint32_t)) });
+  };
+  add(buffers->Matrices, list.Matrices, MatrixSize * sizeof(float));
+  add(buffers->Colors, list.Colors, ColorSize);
+  if (!batch->NormalMatrices.empty())
+  {
+    add(buffers->NormalMatrices, list.NormalMatrices, NormalMatrixSize * sizeof(float));
+  }
+  device->MakeList(
+    choice, first, batch->GetSize(), records, stream->IBO->IndexCount, list.OnDevice);
+  list.IsPending = false;
+}
+
+bool vtkNBufferInstanceStream::Draw(int number, vtkOpenGLGlyph3DHelper* mapper,
+  vtkOpenGLHelper* stream, vtkNBufferUnitDevice* device, const vtkNBufferUnitDevice::Choice& choice)
+{
+  Batch* batch = this->Find(GetKey(mapper, stream));
   const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
   if (!batch || buffers->BuildTime > buffers->LoadTime ||
     stream->ShaderSourceTime.GetMTime() > buffers->LoadTime)
@@ -278,13 +328,24 @@ bool vtkNBufferInstanceStream::Draw(
     return false;
   }
   const List& list = batch->Lists[number];
-  if (list.Size > 0)
+  if (list.IsPending)
+  {
+    this->MakeOnDevice(batch, number, mapper, stream, device, choice);
+  }
+  if (list.IsOnDevice || list.Size > 0)
   {
     const bool withNormals = !batch->NormalMatrices.empty();
     Attach(stream, withNormals, list.Matrices, list.NormalMatrices, list.Colors);
     stream->IBO->Bind();
-    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(stream->IBO->IndexCount),
-      GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(list.Size));
+    if (list.IsOnDevice)
+    {
+      list.OnDevice.Draw(GL_TRIANGLES);
+    }
+    else
+    {
+      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(stream->IBO->IndexCount),
+        GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(list.Size));
+    }
     stream->IBO->Release();
     Attach(stream, withNormals, buffers->Matrices, buffers->NormalMatrices, buffers->Colors);
   }
@@ -326,7 +387,9 @@ void vtkNBufferInstanceStream::ReleaseGraphicsResources()
       list.Matrices->ReleaseGraphicsResources();
       list.NormalMatrices->ReleaseGraphicsResources();
       list.Colors->ReleaseGraphicsResources();
+      list.OnDevice.Object.Delete();
       list.Size = 0;
+      list.IsOnDevice = list.IsPending = false;
     }
   }
 }

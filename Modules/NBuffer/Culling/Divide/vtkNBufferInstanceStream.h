@@ -27,6 +27,7 @@
 #define vtkNBufferInstanceStream_h
 
 #include "vtkNBufferGLM.h"
+#include "vtkNBufferUnitDevice.h"
 #include "vtkNBufferUnits.h"
 
 #include "vtkNew.h"
@@ -85,12 +86,20 @@ public:
   /// boxes, in ascending order.
   void Upload(int list, const std::vector<unsigned int>& corners);
 
+  /// Let the device make a list when it is drawn.
+  void SetPending(int list);
+
+  /// The bytes of the largest buffer that was read since Clear().
+  std::size_t GetLargestBuffer() const;
+
   /// Whether a mapper is about to draw what was read. `stream` may be nullptr.
   bool IsAsRead(vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream) const;
 
-  /// Draw the part of a list that `mapper`, for whose draw VTK has bound everything, has of it.
-  /// Returns false, and draws nothing, if VTK has yet to attach its buffers.
-  bool Draw(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
+  /// Draw the part of a list that `mapper`, for whose draw VTK has bound everything, has of it. If
+  /// the list is pending, `device` makes it of the units that are chosen. Returns false, and draws
+  /// nothing, if VTK has yet to attach its buffers.
+  bool Draw(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream,
+    vtkNBufferUnitDevice* device, const vtkNBufferUnitDevice::Choice& choice);
 
   void ReleaseGraphicsResources();
 
@@ -100,7 +109,10 @@ private:
     vtkNew<vtkOpenGLBufferObject> Matrices;
     vtkNew<vtkOpenGLBufferObject> NormalMatrices;
     vtkNew<vtkOpenGLBufferObject> Colors;
-    std::size_t Size = 0;
+    std::size_t Size = 0; ///< The number of instances, if the host has made the list.
+    vtkNBufferUnitDevice::List OnDevice;
+    bool IsOnDevice = false;
+    bool IsPending = false; ///< Whether the device has yet to make the list.
   };
 
   /// The mapper of a source, and when it uploaded what it draws. Two draws with equal keys draw the
@@ -127,12 +139,16 @@ private:
     std::vector<float> NormalMatrices; ///< 9 for each instance, or none.
     std::vector<unsigned char> Colors; ///< 4 for each instance.
     std::array<List, 2> Lists;
+
+    std::size_t GetSize() const { return this->Matrices.size() / 16; }
   };
 
   static Key GetKey(vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
   void ReadOrder(vtkGlyph3DMapper* mapper);
   bool ReadBatch(vtkOpenGLGlyph3DHelper* mapper, Batch& batch, vtkNBufferUnits::Mesh& boxes);
-  const Batch* Find(const Key& key) const;
+  Batch* Find(const Key& key) const;
+  void MakeOnDevice(Batch* batch, int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream,
+    vtkNBufferUnitDevice* device, const vtkNBufferUnitDevice::Choice& choice);
   static void Attach(vtkOpenGLHelper* stream, bool withNormals, vtkOpenGLBufferObject* matrices,
     vtkOpenGLBufferObject* normalMatrices, vtkOpenGLBufferObject* colors);
 

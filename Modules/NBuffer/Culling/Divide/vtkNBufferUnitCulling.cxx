@@ -22,8 +22,7 @@ constexpr std::size_t Turns = 8;
 /// frustum, or if the frustum has more than NewView times as many units as that of the last test.
 constexpr int NewView = 4;
 
-/// The threads share the nodes of this level, of 512 units each, in groups of this size.
-constexpr std::size_t LevelOfThreads = 3;
+/// The threads share the nodes of the highest level that is tested in groups of this size.
 constexpr vtkIdType NodesPerThread = 4;
 
 /// In a new view, one in this many units of the frustum is drawn first.
@@ -36,6 +35,7 @@ struct vtkNBufferUnitCulling::Tests
   const vtkNBufferProjection& Projection;
   vtkNBufferOcclusionTest Levels;
   std::optional<vtkNBufferPixelTest> Pixels;
+  const vtkNBufferUnitAnswers* Answers = nullptr;
 };
 
 /// Call function(level, begin, end) for ranges of nodes that together have all units, in parallel
@@ -44,7 +44,7 @@ template <typename Function>
 void vtkNBufferUnitCulling::RunInThreads(const Function& function)
 {
   const auto& levels = this->Units.GetLevels();
-  const std::size_t level = std::min(LevelOfThreads, levels.size() - 1);
+  const std::size_t level = std::min(vtkNBufferUnitAnswers::HighestLevel, levels.size() - 1);
   vtkNBufferForEachProp::Run(
     levels[level].size(),
     [&function, level](vtkIdType begin, vtkIdType end)
@@ -170,14 +170,16 @@ void vtkNBufferUnitCulling::ClearDrawn()
   this->Number.Kept = 0;
 }
 
-int vtkNBufferUnitCulling::Test(const vtkNBufferProjection& projection, const Depth& depth)
+int vtkNBufferUnitCulling::Test(
+  const vtkNBufferProjection& projection, const Depth& depth, const vtkNBufferUnitAnswers* answers)
 {
   std::fill(this->FreshUnits.begin(), this->FreshUnits.end(), 0);
   this->Turn = (this->Turn + 1) % Turns;
   this->RunInThreads(
-    [this, &projection, &depth](std::size_t level, std::size_t begin, std::size_t end)
+    [this, &projection, &depth, answers](std::size_t level, std::size_t begin, std::size_t end)
     {
-      Tests tests = { projection, vtkNBufferOcclusionTest(depth.Levels, depth.SampleDistance), {} };
+      Tests tests = { projection, vtkNBufferOcclusionTest(depth.Levels, depth.SampleDistance), {},
+        answers };
       if (depth.Pixels)
       {
         tests.Pixels.emplace(projection, depth.Levels, depth.Pixels, depth.SampleDistance);
@@ -201,21 +203,16 @@ void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& te
   {
     return;
   }
-  const vtkNBufferBox box = this->MakeBox(this->Units.GetLevels()[level][n]);
-  vtkNBufferScreenBox screen;
-  const vtkNBufferPlacement placement = tests.Projection.Project(box, screen);
-  if (placement == vtkNBufferPlacement::Outside)
+  auto answer = tests.Answers ? tests.Answers->Get(level, n) : vtkNBufferUnitAnswers::None;
+  if (answer == vtkNBufferUnitAnswers::None)
+  {
+    answer = this->TestBox(level, n, tests);
+  }
+  if (answer == vtkNBufferUnitAnswers::Outside)
   {
     return;
   }
-  const bool isInside = placement == vtkNBufferPlacement::Inside;
-  bool isHidden = isInside && tests.Levels.IsHidden(screen);
-  const bool isDue = n / vtkNBufferUnits::Fanout % Turns == this->Turn;
-  if (level == 0 && isInside && !isHidden && tests.Pixels && (!this->DrawnUnits[n] || isDue))
-  {
-    isHidden = tests.Pixels->IsHidden(box, screen);
-  }
-  if (isHidden)
+  if (answer == vtkNBufferUnitAnswers::Hidden)
   {
     const std::size_t end = this->Units.GetEnd(level, n);
     for (std::size_t i = this->Units.GetBegin(level, n); i < end; ++i)
@@ -236,6 +233,45 @@ void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& te
   {
     this->TestNode(level - 1, child, tests);
   }
+}
+
+vtkNBufferUnitAnswers::Answer vtkNBufferUnitCulling::TestBox(
+  std::size_t level, std::size_t n, Tests& tests) const
+{
+  const vtkNBufferBox box = this->MakeBox(this->Units.GetLevels()[level][n]);
+  vtkNBufferScreenBox screen;
+  const vtkNBufferPlacement placement = tests.Projection.Project(box, screen);
+  if (placement == vtkNBufferPlacement::Outside)
+  {
+    return vtkNBufferUnitAnswers::Outside;
+  }
+  const bool isInside = placement == vtkNBufferPlacement::Inside;
+  bool isHidden = isInside && tests.Levels.IsHidden(screen);
+  const bool isDue = n / vtkNBufferUnits::Fanout % Turns == this->Turn;
+  if (level == 0 && isInside && !isHidden && tests.Pixels && (!this->DrawnUnits[n] || isDue))
+  {
+    isHidden = tests.Pixels->IsHidden(box, screen);
+  }
+  return isHidden ? vtkNBufferUnitAnswers::Hidden : vtkNBufferUnitAnswers::Visible;
+}
+
+bool vtkNBufferUnitCulling::AreRight(const vtkNBufferUnitAnswers& answers,
+  const vtkNBufferProjection& projection, const Depth& depth) const
+{
+  Tests tests = { projection, vtkNBufferOcclusionTest(depth.Levels, depth.SampleDistance), {} };
+  const std::size_t levels = answers.FirstOfLevel.size();
+  for (std::size_t level = 0; level < levels; ++level)
+  {
+    for (std::size_t n = 0; n < this->Units.GetLevels()[level].size(); ++n)
+    {
+      const vtkNBufferUnitAnswers::Answer answer = answers.Get(level, n);
+      if (answer != vtkNBufferUnitAnswers::None && answer != this->TestBox(level, n, tests))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 int vtkNBufferUnitCulling::CountHidden(

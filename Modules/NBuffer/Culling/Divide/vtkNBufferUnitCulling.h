@@ -8,17 +8,21 @@
 #ifndef vtkNBufferUnitCulling_h
 #define vtkNBufferUnitCulling_h
 
+#include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h" // For the verdict
+#include "vtkNBufferUnitAnswers.h"
 #include "vtkNBufferUnits.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferLevels;
+class vtkNBufferTexture;
 
-class vtkNBufferUnitCulling
+class VTKNBUFFER_EXPORT vtkNBufferUnitCulling
 {
 public:
   /// What a test of units compares them with.
@@ -27,6 +31,8 @@ public:
     const vtkNBufferLevels& Levels;
     const float* Pixels = nullptr; ///< The depth image, or nullptr if it is not in host memory.
     double SampleDistance = 0.5;   ///< See vtkNBufferOcclusionTest.
+    /// Returns the same levels on the device, or nullptr. Empty if the device does not have them.
+    std::function<const vtkNBufferTexture*()> GetTexture = {};
   };
 
   /// How many units there are in this frame: all, those outside of the frustum, those that are
@@ -65,8 +71,14 @@ public:
   void ClearDrawn();
 
   /// Test the units in the frustum. Those that are visible and not drawn are fresh. Returns their
-  /// number.
-  int Test(const vtkNBufferProjection& projection, const Depth& depth);
+  /// number. If `answers` is not nullptr, a graphics device has made the tests for which it has an
+  /// answer.
+  int Test(const vtkNBufferProjection& projection, const Depth& depth,
+    const vtkNBufferUnitAnswers* answers = nullptr);
+
+  /// Whether all answers of a device are those of the host.
+  bool AreRight(const vtkNBufferUnitAnswers& answers, const vtkNBufferProjection& projection,
+    const Depth& depth) const;
 
   /// How many units in the frustum are behind what the levels hold. Changes nothing.
   int CountHidden(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels) const;
@@ -102,6 +114,7 @@ private:
   void Keep(std::size_t unit);
   struct Tests;
   void TestNode(std::size_t level, std::size_t n, Tests& tests);
+  vtkNBufferUnitAnswers::Answer TestBox(std::size_t level, std::size_t n, Tests& tests) const;
   template <typename Function>
   void RunInThreads(const Function& function);
 

@@ -73,7 +73,7 @@ double GetSurface(const std::vector<Box>& boxes)
 }
 
 /// The number of ranges of primitives that have the same unit.
-std::size_t CountRanges(const std::vector<std::size_t>& units)
+std::size_t CountRanges(const std::vector<std::uint32_t>& units)
 {
   std::size_t count = 1;
   for (std::size_t i = 1; i < units.size(); ++i)
@@ -241,12 +241,12 @@ std::size_t vtkNBufferUnits::FindUnit(std::size_t primitive)
   return this->UnitOfPrimitive[primitive];
 }
 
-std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives() const
+std::vector<std::uint32_t> vtkNBufferUnits::GetUnitsOfPrimitives() const
 {
-  std::vector<std::size_t> units(this->NumberOfPrimitives);
+  std::vector<std::uint32_t> units(this->NumberOfPrimitives);
   for (std::size_t i = 0; i < units.size(); ++i)
   {
-    units[this->AreSpatial() ? this->Order[i] : i] = i / this->UnitSize;
+    units[this->AreSpatial() ? this->Order[i] : i] = static_cast<std::uint32_t>(i / this->UnitSize);
   }
   return units;
 }

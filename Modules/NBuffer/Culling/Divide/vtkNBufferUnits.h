@@ -28,10 +28,12 @@
 #ifndef vtkNBufferUnits_h
 #define vtkNBufferUnits_h
 
+#include "Shaders/vtkNBufferShared.h"
 #include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -40,7 +42,7 @@ class VTKNBUFFER_EXPORT vtkNBufferUnits
 {
 public:
   /// The largest number of children of a node.
-  static constexpr std::size_t Fanout = 8;
+  static constexpr std::size_t Fanout = NBUFFER_FANOUT;
 
   /// The primitives of a mesh in the order in which it is drawn.
   struct Mesh
@@ -104,11 +106,14 @@ public:
   /// Get the bounds of the units that are marked, in a few groups of neighbours, at most 16.
   std::vector<Box> GetGroups(const std::vector<unsigned char>& marked) const;
 
+  /// The number of primitives of a unit; the last unit may have fewer.
+  std::size_t GetUnitSize() const { return this->UnitSize; }
+
   /// Get the unit of each primitive.
-  std::vector<std::size_t> GetUnitsOfPrimitives() const;
+  std::vector<std::uint32_t> GetUnitsOfPrimitives() const;
 
   /// Get the unit of one primitive, or GetSize() if there is no such primitive. If the units are
-  /// groups in space, the first call makes a table by GetUnitsOfPrimitives(), which takes 8 bytes
+  /// groups in space, the first call makes a table by GetUnitsOfPrimitives(), which takes 4 bytes
   /// for each primitive.
   std::size_t FindUnit(std::size_t primitive);
 
@@ -120,7 +125,7 @@ private:
   std::size_t UnitSize = 1;
   std::size_t Corners = 3;
   std::size_t NumberOfPrimitives = 0;
-  std::vector<std::size_t> UnitOfPrimitive; ///< The table of FindUnit().
+  std::vector<std::uint32_t> UnitOfPrimitive; ///< The table of FindUnit().
   std::vector<unsigned int> Order; ///< The primitives of all units; empty if units are runs.
   std::vector<std::vector<Box>> Levels;
 };

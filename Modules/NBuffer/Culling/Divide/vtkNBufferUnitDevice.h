@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferUnitDevice
+ * @brief Compute shaders for large props: test their units, and make the lists of what is drawn.
+ *
+ * On a graphics device both take much less time than on the host: a test of 40,000 units takes the
+ * host some 10 ms, and a list of a million triangles has 12 MB to upload. Here 2 bits for each node
+ * of the units are read back, and one bit for each unit is uploaded.
+ *
+ * What is drawn is the same as with the lists of the host: the units that the host would find
+ * visible (vtkNBufferUnitCS.glsl computes what vtkNBufferProjection computes), and their primitives
+ * in the order of drawing (vtkNBufferListCS.glsl).
+ *
+ * All functions but WhyNot() require that Begin() has returned true in the current context. They
+ * restore the state of OpenGL that they change.
+ */
+#ifndef vtkNBufferUnitDevice_h
+#define vtkNBufferUnitDevice_h
+
+#include "vtkNBufferBox.h"
+#include "vtkNBufferComputePrograms.h"
+#include "vtkNBufferGLObject.h"
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferProjection.h"
+#include "vtkNBufferResourceCallback.h"
+#include "vtkNBufferUnitAnswers.h"
+#include "vtkNBufferUnits.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferLevels;
+class vtkNBufferTexture;
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+class VTKNBUFFER_EXPORT vtkNBufferUnitDevice
+{
+public:
+  /// What the device keeps of the units of one prop, and buffers that are used again and again. To
+  /// be deleted when the units change.
+  struct Buffers
+  {
+    vtkNBufferGL::Buffer Boxes;   ///< Of the nodes that are tested.
+    vtkNBufferGL::Buffer Answers; ///< See vtkNBufferUnitAnswers.
+    vtkNBufferGL::Buffer Table;   ///< The unit of each primitive, if the units are groups in space.
+    vtkNBufferGL::Buffer Marks;   ///< One bit for each unit.
+    vtkNBufferGL::Buffer Sums;    ///< One number for each work group.
+
+    void Delete();
+  };
+
+  vtkNBufferUnitDevice();
+  ~vtkNBufferUnitDevice();
+  vtkNBufferUnitDevice(const vtkNBufferUnitDevice&) = delete;
+  void operator=(const vtkNBufferUnitDevice&) = delete;
+
+  /// Begin a frame of a window, whose context must be current. Returns whether its device can do
+  /// what this class does. If not, GetError() says why.
+  bool Begin(vtkOpenGLRenderWindow* window);
+  const std::string& GetError() const { return this->Error; }
+
+  /**
+   * Test the nodes of all levels that have answers. `texture` has the same texels as `levels`,
+   * which are those of the viewport of `projection`. Of `rounding` only Origin, Magnitude and
+   * Margin are used; those of all boxes are the same. `sampleDistance` is that of
+   * vtkNBufferOcclusionTest. Waits for the device.
+   */
+  void Test(const vtkNBufferUnits& units, Buffers& buffers, const vtkNBufferProjection& projection,
+    const vtkNBufferBox& rounding, const vtkNBufferTexture* texture, const vtkNBufferLevels& levels,
+    double sampleDistance, vtkNBufferUnitAnswers& answers);
+
+  /// What glDrawElementsIndirect() draws.
+  struct Command
+  {
+    std::uint32_t Count = 0;
+    std::uint32_t Instances = 1;
+    std::uint32_t FirstIndex = 0;
+    std::uint32_t BaseVertex = 0;
+    std::uint32_t BaseInstance = 0;
+  };
+
+  /// A list of primitives on the device.
+  struct List
+  {
+    vtkNBufferGL::Buffer Object; ///< A Command.
+
+    /// Draw the list, when everything else has been bound for glDrawElements().
+    void Draw(unsigned int mode) const;
+  };
+
+  /// A buffer with a record for each primitive, and the one to which those of the list are copied.
+  struct Records
+  {
+    unsigned int Source;
+    unsigned int Target;
+    unsigned int Words; ///< The number of 32-bit words of a record.
+  };
+
+  ///@{
+  /// Whether answers of the device have been compared with those of the host, which is done once
+  /// for each context, and whether they were the same. (Mesa 22.3 rounds some doubles wrongly.)
+  bool IsChecked() const { return this->Checked; }
+  bool IsRight() const { return this->Right; }
+  void SetChecked(bool isRight)
+  {
+    this->Checked = true;
+    this->Right = isRight;
+  }
+  ///@}
+
+  /// The units of which a list consists.
+  struct Choice
+  {
+    const vtkNBufferUnits* Units = nullptr;
+    const std::vector<unsigned char>* Marked = nullptr; ///< 1 for each unit of the list, or 0.
+    Buffers* OfUnits = nullptr;
+  };
+
+  /// Whether the device can copy records from a buffer of so many bytes.
+  bool CanCopy(std::size_t bytes) const { return bytes <= this->LargestBuffer; }
+
+  /// Make a list of triangles or points, given the number of all and a buffer of their indices.
+  void MakeList(const Choice& choice, std::size_t size, const Records& indices, List& list);
+
+  /// Make a list of those of `size` instances from number `first` on that are chosen. A buffer of
+  /// Records has `size` records. `indices` is the number of indices of an instance.
+  void MakeList(const Choice& choice, std::size_t first, std::size_t size,
+    const std::vector<Records>& records, std::size_t indices, List& list);
+
+private:
+  /// Copy records, and multiply one field of the command by their number.
+  void Copy(const Choice& choice, std::size_t first, std::size_t size,
+    const std::vector<Records>& records, const Command& command, std::size_t field, List& list);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferUnitDevice>;
+  std::unique_ptr<Callback> Resources;
+  vtkNBufferGL::ComputePrograms Tests;
+  vtkNBufferGL::ComputePrograms Lists;
+  vtkMTimeType ContextTime = 0; ///< The context for which Error has been found.
+  std::string Error;
+  std::size_t LargestBuffer = 0; ///< In bytes.
+  bool Checked = false;
+  bool Right = true;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
