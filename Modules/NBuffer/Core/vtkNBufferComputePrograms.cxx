@@ -109,7 +109,16 @@ void BindStorage(unsigned int number, unsigned int buffer)
 void AllocateStorage(unsigned int buffer, std::size_t bytes, const void* data)
 {
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+  GLint size = 0;
+  glGetBufferParameteriv(GL_SHADER_STORAGE_BUFFER, GL_BUFFER_SIZE, &size);
+  if (static_cast<std::size_t>(size) < bytes)
+  {
+    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+  }
+  else if (data)
+  {
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+  }
 }
 
 std::size_t GetLargestStorage()

@@ -62,7 +62,8 @@ public:
 /// Bind a buffer as shader storage of this number.
 VTKNBUFFER_EXPORT void BindStorage(unsigned int number, unsigned int buffer);
 
-/// Give a buffer `bytes` bytes, copied from `data` unless that is nullptr.
+/// Give a buffer at least `bytes` bytes, copied from `data` unless that is nullptr. A buffer that has
+/// them keeps its memory.
 VTKNBUFFER_EXPORT void AllocateStorage(
   unsigned int buffer, std::size_t bytes, const void* data = nullptr);
 

@@ -11,6 +11,9 @@
 //     NBUFFER_ADD     0         2         4         4        where its part of the list begins
 //     NBUFFER_COPY 0 . . 1 | 2 3 . . | . . . . | . 4 5 6     where each record is copied to
 //
+// With NBUFFER_RUNS the units are runs of primitives, otherwise groups in space. (With a uniform
+// instead of the definition, Mesa's zink 22.3 takes the branch of an earlier value.)
+//
 // A record is what VTK has in a buffer for a primitive: the indices of its corners, or the matrix or
 // color of an instance.
 
@@ -25,25 +28,32 @@ layout(std430, binding = 0) readonly buffer Marks
 {
   uint marks[]; // one bit for each unit
 };
-layout(std430, binding = 1) readonly buffer Units
-{
-  uint units[]; // the unit of each primitive, if unitSize is 0
-};
 layout(std430, binding = 2) buffer Sums
 {
   uint sums[]; // one for each work group of the passes that count and copy
 };
 
-uniform uint unitSize; // the number of primitives of a unit; 0 if the units are groups in space
-uniform uint first;    // the number of the first primitive of the buffers
-uniform uint size;     // how many primitives they have
+uniform uint first; // the number of the first primitive of the buffers
+uniform uint size;  // how many primitives they have
+#if defined(NBUFFER_RUNS)
+uniform uint unitSize; // the number of primitives of a unit
+#else
+layout(std430, binding = 1) readonly buffer Units
+{
+  uint units[]; // the unit of each primitive
+};
+#endif
 
 shared uint before[GROUP];
 
 bool IsMarked(uint primitive)
 {
   uint number = first + primitive;
-  uint unit = unitSize > 0u ? number / unitSize : units[number];
+#if defined(NBUFFER_RUNS)
+  uint unit = number / unitSize;
+#else
+  uint unit = units[number];
+#endif
   return (marks[unit / 32u] >> (unit % 32u) & 1u) != 0u;
 }
 

@@ -37,6 +37,7 @@ enum ListBuffer : unsigned int
 const std::string CountDefinition = "#define NBUFFER_COUNT\n";
 const std::string AddDefinition = "#define NBUFFER_ADD\n";
 const std::string CopyDefinition = "#define NBUFFER_COPY\n";
+const std::string RunsDefinition = "#define NBUFFER_RUNS\n";
 
 void SetUnsigned(unsigned int program, const char* name, std::size_t value)
 {
@@ -109,9 +110,12 @@ bool vtkNBufferUnitDevice::Begin(vtkOpenGLRenderWindow* window)
       // If one of the programs does not compile, Error says so.
       const vtkNBufferGL::ScopedCompute scope;
       this->Tests.Use(this->Error);
-      this->Lists.Use(this->Error, CountDefinition);
       this->Lists.Use(this->Error, AddDefinition);
-      this->Lists.Use(this->Error, CopyDefinition);
+      for (const std::string& kind : { std::string(), RunsDefinition })
+      {
+        this->Lists.Use(this->Error, CountDefinition + kind);
+        this->Lists.Use(this->Error, CopyDefinition + kind);
+      }
       this->LargestBuffer = vtkNBufferGL::GetLargestStorage();
     }
   }
@@ -234,10 +238,9 @@ void vtkNBufferUnitDevice::Copy(const Choice& choice, std::size_t first, std::si
   const std::vector<std::uint32_t> bits = GetBits(*choice.Marked);
   vtkNBufferGL::AllocateStorage(
     buffers.Marks.Create(), bits.size() * sizeof(std::uint32_t), bits.data());
-  if (buffers.Table.GetName() == 0)
+  if (units.AreSpatial() && buffers.Table.GetName() == 0)
   {
-    const std::vector<std::uint32_t> table =
-      units.AreSpatial() ? units.GetUnitsOfPrimitives() : std::vector<std::uint32_t>(1);
+    const std::vector<std::uint32_t> table = units.GetUnitsOfPrimitives();
     vtkNBufferGL::AllocateStorage(
       buffers.Table.Create(), table.size() * sizeof(std::uint32_t), table.data());
   }
@@ -251,17 +254,18 @@ void vtkNBufferUnitDevice::Copy(const Choice& choice, std::size_t first, std::si
   vtkNBufferGL::BindStorage(MarkBuffer, buffers.Marks.GetName());
   vtkNBufferGL::BindStorage(TableBuffer, buffers.Table.GetName());
   vtkNBufferGL::BindStorage(SumBuffer, buffers.Sums.GetName());
-  const auto use = [&](const std::string& definition)
+  const std::string kind = units.AreSpatial() ? "" : RunsDefinition;
+  const auto use = [&](const std::string& pass)
   {
-    const unsigned int program = this->Lists.Use(this->Error, definition);
-    SetUnsigned(program, "unitSize", units.AreSpatial() ? 0 : units.GetUnitSize());
+    const unsigned int program = this->Lists.Use(this->Error, pass + kind);
+    SetUnsigned(program, "unitSize", units.GetUnitSize());
     SetUnsigned(program, "first", first);
     SetUnsigned(program, "size", size);
     return program;
   };
   use(CountDefinition);
   Dispatch(size, PrimitivesPerGroup);
-  unsigned int program = use(AddDefinition);
+  unsigned int program = this->Lists.Use(this->Error, AddDefinition);
   vtkNBufferGL::BindStorage(CommandBuffer, list.Object.GetName());
   SetUnsigned(program, "groups", groups);
   SetUnsigned(program, "field", field);
@@ -275,7 +279,7 @@ void vtkNBufferUnitDevice::Copy(const Choice& choice, std::size_t first, std::si
     SetUnsigned(program, "words", record.Words);
     Dispatch(size, PrimitivesPerGroup);
   }
-  glMemoryBarrier(
-    GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
+    GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 VTK_ABI_NAMESPACE_END
