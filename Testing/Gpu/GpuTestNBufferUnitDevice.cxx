@@ -30,7 +30,7 @@ protected:
   void SetUp() override
   {
     WindowFixture::SetUp();
-    if (!this->IsSkipped() && !this->Device.Begin(this->Window))
+    if (!this->IsSkipped() && !this->Device.Begin(this->Window, vtkNBufferBackend::OpenGL))
     {
       GTEST_SKIP() << this->Device.GetError();
     }

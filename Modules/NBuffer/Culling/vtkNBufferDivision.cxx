@@ -106,7 +106,7 @@ void vtkNBufferDivision::Update(vtkRenderer* renderer, const vtkNBufferSettings&
     std::iota(changed.begin(), changed.end(), 0);
   }
   this->FindLarge(changed);
-  vtkNBufferUnitDevice* device = this->FindDevice(window, settings);
+  const bool hasDevice = !this->Entries.empty() && this->Device.Begin(window, settings.Backend);
   for (Entry& entry : this->Entries)
   {
     if (!vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(entry.Place)))
@@ -116,17 +116,9 @@ void vtkNBufferDivision::Update(vtkRenderer* renderer, const vtkNBufferSettings&
       continue;
     }
     const bool hasChanged = std::binary_search(changed.begin(), changed.end(), entry.Place);
-    entry.Prop->BeginFrame(hasChanged, window, device, settings);
+    entry.Prop->BeginFrame(hasChanged, window, hasDevice ? &this->Device : nullptr, settings);
     entry.IsActive = entry.IsActive && !hasChanged && entry.Prop->IsReady();
   }
-}
-
-vtkNBufferUnitDevice* vtkNBufferDivision::FindDevice(
-  vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings)
-{
-  const bool isWanted = !this->Entries.empty() && settings.Backend != vtkNBufferBackend::CPU &&
-    (settings.Backend == vtkNBufferBackend::OpenGL || !vtkNBufferGL::GetSoftwareRenderer());
-  return isWanted && this->Device.Begin(window) ? &this->Device : nullptr;
 }
 
 void vtkNBufferDivision::SetView(const vtkNBufferViewSetup& view)
@@ -413,18 +405,13 @@ int vtkNBufferDivision::GetLevelsNeeded(int width, int height, int factor) const
 
 void vtkNBufferDivision::Count(vtkNBufferStatistics& statistics) const
 {
-  statistics.Units = statistics.UnitsOutside = statistics.UnitsKept = statistics.UnitsFresh = 0;
-  statistics.UnitsOnDevice = 0;
+  statistics.Units = statistics.UnitsOutside = statistics.UnitsKept = statistics.UnitsFresh =
+    statistics.UnitsOnDevice = 0;
   for (const Entry& entry : this->Entries)
   {
     if (entry.IsActive)
     {
-      const vtkNBufferDividedProp::Counts& counts = entry.Prop->GetCounts();
-      statistics.Units += counts.Units;
-      statistics.UnitsOutside += counts.Outside;
-      statistics.UnitsKept += counts.Kept;
-      statistics.UnitsFresh += counts.Fresh;
-      statistics.UnitsOnDevice += entry.Prop->IsTestedOnDevice() ? counts.Units : 0;
+      entry.Prop->AddTo(statistics);
     }
   }
   statistics.UnitsHidden =

@@ -35,7 +35,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
-class vtkOpenGLRenderWindow;
 class vtkRenderer;
 struct vtkNBufferSettings;
 struct vtkNBufferStatistics;
@@ -165,8 +164,6 @@ private:
   Entry* Find(int place);
   void FindLarge(const std::vector<int>& places);
   bool DrawsUnits(vtkRenderer* renderer, const vtkNBufferSettings& settings);
-  vtkNBufferUnitDevice* FindDevice(
-    vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings);
   vtkNBufferCandidateList& Props;
   vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< The pass of the window.
   vtkNew<vtkNBufferUnitTrial> Trial;

@@ -263,6 +263,16 @@ int vtkNBufferDividedProp::DrawAgain(const std::function<int()>& drawWhole)
   return this->DrawList(vtkNBufferDrawHook::Drawn, this->Culling.GetDrawn(), drawWhole);
 }
 
+void vtkNBufferDividedProp::AddTo(vtkNBufferStatistics& statistics) const
+{
+  const Counts& counts = this->GetCounts();
+  statistics.Units += counts.Units;
+  statistics.UnitsOutside += counts.Outside;
+  statistics.UnitsKept += counts.Kept;
+  statistics.UnitsFresh += counts.Fresh;
+  statistics.UnitsOnDevice += this->TestedOnDevice ? counts.Units : 0;
+}
+
 bool vtkNBufferDividedProp::HasFewFresh() const
 {
   return this->FreshIsNext && this->Culling.CountDrawn() > this->GetCounts().Fresh;

@@ -106,9 +106,6 @@ public:
   /// what a test has found hidden stays hidden in this frame.
   bool IsSettled() const { return this->Settled; }
 
-  /// Whether the graphics device has made the last test of this frame.
-  bool IsTestedOnDevice() const { return this->TestedOnDevice; }
-
   /// Bounds of the fresh units in the coordinates of the mesh, in a few groups of neighbours.
   std::vector<vtkNBufferUnits::Box> GetFreshGroups() const
   {
@@ -121,6 +118,10 @@ public:
     return this->Culling.MakeBox(bounds);
   }
   const Counts& GetCounts() const { return this->Culling.GetCounts(); }
+
+  /// Add the units of this prop to the statistics, except UnitsHidden.
+  void AddTo(vtkNBufferStatistics& statistics) const;
+
   int CountHidden(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels) const
   {
     return this->Culling.CountHidden(projection, levels);
@@ -180,7 +181,7 @@ private:
   bool IsDrawn = false;
   bool FreshIsNext = false;
   bool Settled = false;
-  bool TestedOnDevice = false;
+  bool TestedOnDevice = false; ///< The device has made the last test of this frame.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -92,8 +92,13 @@ vtkNBufferUnitDevice::~vtkNBufferUnitDevice()
   this->Resources->Release();
 }
 
-bool vtkNBufferUnitDevice::Begin(vtkOpenGLRenderWindow* window)
+bool vtkNBufferUnitDevice::Begin(vtkOpenGLRenderWindow* window, vtkNBufferBackend::Kind backend)
 {
+  if (backend == vtkNBufferBackend::CPU ||
+    (backend == vtkNBufferBackend::Auto && vtkNBufferGL::GetSoftwareRenderer()))
+  {
+    return false;
+  }
   this->Resources->RegisterGraphicsResources(window);
   if (this->ContextTime != window->GetContextCreationTime())
   {

@@ -12,12 +12,13 @@
  * visible (vtkNBufferUnitCS.glsl computes what vtkNBufferProjection computes), and their primitives
  * in the order of drawing (vtkNBufferListCS.glsl).
  *
- * All functions but WhyNot() require that Begin() has returned true in the current context. They
- * restore the state of OpenGL that they change.
+ * All other functions require that Begin() has returned true in the current context. They restore
+ * the state of OpenGL that they change.
  */
 #ifndef vtkNBufferUnitDevice_h
 #define vtkNBufferUnitDevice_h
 
+#include "vtkNBufferBackend.h"
 #include "vtkNBufferBox.h"
 #include "vtkNBufferComputePrograms.h"
 #include "vtkNBufferGLObject.h"
@@ -63,9 +64,10 @@ public:
   vtkNBufferUnitDevice(const vtkNBufferUnitDevice&) = delete;
   void operator=(const vtkNBufferUnitDevice&) = delete;
 
-  /// Begin a frame of a window, whose context must be current. Returns whether its device can do
-  /// what this class does. If not, GetError() says why.
-  bool Begin(vtkOpenGLRenderWindow* window);
+  /// Begin a frame of a window, whose context must be current. Returns whether the device is to do
+  /// what this class does: not with the CPU back-end, nor with Auto on a software renderer. If it
+  /// cannot, GetError() says why.
+  bool Begin(vtkOpenGLRenderWindow* window, vtkNBufferBackend::Kind backend);
   const std::string& GetError() const { return this->Error; }
 
   /**
