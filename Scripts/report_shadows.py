@@ -72,7 +72,7 @@ def fill(report, _):
     """From the paper's method to the module's, next to the paper's figures (section 4.4)."""
     if not report.get("fill"):
         raise NotMeasured
-    pixels, blank = 640 * 480, [""] * 6
+    pixels, blank = 640 * 480, [""] * 8
     rows = [["the paper, city", "", 20e6 / pixels, "", 512e3 / pixels, 2.5, "", *blank],
             ["the paper, terrain with towers and birds", *[""] * 4, 2.5, "", *blank],
             ["the paper, simpler scenes", *[""] * 4, 20, "", *blank]]
@@ -85,12 +85,14 @@ def fill(report, _):
             paper["percent_of_whole"], paper["percent_of_reach"],
             *(ways[name]["percent_of_whole"] for name in (
                 "scattered", "scattered, slabs", "scattered, slabs, box", "slabs", "exact")),
-            ways["exact"]["percent_of_reach"]])
+            ways["exact"]["percent_of_reach"],
+            *(ways.get("auto", {}).get(f"percent_of_{all}") for all in ("whole", "reach"))])
     return table(
         ["scene, path", "casters", "whole volumes, fragments a pixel", "in reach of the light, %",
          "the paper's method, fragments a pixel", "% of whole", "% of those in reach",
          "scattered litmap, %", "and several slabs, %", "and one box, %", "and tiles: `slabs`, %",
-         "and boxes of pixels: `exact`, %", "% of those in reach"], rows)
+         "and boxes of pixels: `exact`, %", "% of those in reach",
+         "the default: `auto`, %", "% of those in reach"], rows)
 
 
 def fill_paper(report, _):

@@ -75,6 +75,7 @@ public:
 
   Json::Value Run(const CameraPath& path)
   {
+    this->Settle(path);
     for (std::size_t i = 0; i < path.size(); ++i)
     {
       ShowProgress("fill, frame " + std::to_string(i + 1) + " of " + std::to_string(path.size()));
@@ -123,6 +124,20 @@ private:
     { "one slab", vtkShadowVolumeClampPass::Clamped, 64 },
     { "slabs", vtkShadowVolumeClampPass::Clamped, 4 } };
 
+  /// Renders what the pass needs to measure its estimates once (vtkShadowCostTrials).
+  void Settle(const CameraPath& path)
+  {
+    constexpr std::size_t frames = 8;
+    this->Where.GetRenderer()->SetPass(this->Pass);
+    this->Pass->SetMode(vtkShadowVolumeClampPass::Automatic);
+    for (std::size_t i = 0; i < frames; ++i)
+    {
+      this->Where.SetPose(path[i % path.size()]);
+      this->Where.Render();
+    }
+    this->Where.GetRenderer()->SetPass(nullptr);
+  }
+
   void CountPass(const CameraPose& pose)
   {
     this->Where.GetRenderer()->SetPass(this->Pass);
@@ -135,6 +150,17 @@ private:
       this->Where.Render();
       this->OfPass[way.Name] = std::max(this->Pass->GetStatistics().Fragments, 0LL);
     }
+    // What the default mode draws is known from the pass alone: it decides by estimates of times.
+    this->Pass->SetMode(vtkShadowVolumeClampPass::Automatic);
+    Tune(this->Pass.Get(), &vtkShadowTuning::SlabGap, 4);
+    this->Where.SetPose(pose);
+    this->Where.Render();
+    const vtkShadowStatistics& statistics = this->Pass->GetStatistics();
+    VolumeStudy::Result result;
+    result.Fragments = std::max(statistics.Fragments, 0LL);
+    result.Drawn = statistics.Draws;
+    result.Pieces = statistics.Pieces;
+    this->Add("auto", result);
     Tune(this->Pass.Get(), &vtkShadowTuning::CountFragments, false);
     this->Where.GetRenderer()->SetPass(nullptr);
   }
@@ -214,11 +240,9 @@ private:
     }
   }
 
-  /// Adds the counts of a way to its entry.
-  VolumeStudy::Result Count(
-    const std::string& name, const VolumeWay& way, const std::function<bool(int)>& isCounted = {})
+  /// Adds counts to the entry of a way.
+  void Add(const std::string& name, const VolumeStudy::Result& result)
   {
-    const VolumeStudy::Result result = this->Volumes.Draw(way, isCounted);
     const auto [number, isNew] = this->Numbers.try_emplace(name, this->Ways.size());
     Json::Value& entry = this->Ways[number->second];
     entry["name"] = name;
@@ -227,6 +251,14 @@ private:
     add("fragments", static_cast<double>(result.Fragments));
     add("drawn", result.Drawn);
     add("pieces", result.Pieces);
+  }
+
+  /// Draws a way, and adds its counts to its entry.
+  VolumeStudy::Result Count(
+    const std::string& name, const VolumeWay& way, const std::function<bool(int)>& isCounted = {})
+  {
+    const VolumeStudy::Result result = this->Volumes.Draw(way, isCounted);
+    this->Add(name, result);
     const auto ofPass = this->OfPass.find(name);
     if (ofPass != this->OfPass.end() && ofPass->second != result.Fragments)
     {

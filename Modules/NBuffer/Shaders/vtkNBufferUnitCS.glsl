@@ -10,7 +10,7 @@
 //VTK::NBuffer::Shared
 //VTK::NBuffer::Query
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 layout(std430, binding = 0) readonly buffer Boxes
 {

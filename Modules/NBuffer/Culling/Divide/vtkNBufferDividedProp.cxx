@@ -202,8 +202,8 @@ bool vtkNBufferDividedProp::TestOnDevice(const vtkNBufferProjection& projection,
 {
   const vtkNBufferUnits& units = this->Culling.GetUnits();
   vtkNBufferUnitDevice* device = this->Hook.GetDevice();
-  const bool isWorthIt = device && device->IsRight() && depth.GetTexture &&
-    units.GetSize() >= this->MinimumNumberOfUnitsOnDevice;
+  const bool isWorthIt = device && device->IsRight() && device->CanTest(units.GetSize()) &&
+    depth.GetTexture && units.GetSize() >= this->MinimumNumberOfUnitsOnDevice;
   const vtkNBufferTexture* texture = isWorthIt ? depth.GetTexture() : nullptr;
   if (!texture)
   {

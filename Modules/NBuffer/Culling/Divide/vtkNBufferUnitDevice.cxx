@@ -15,8 +15,11 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // The sizes of work groups in the shaders.
-constexpr std::size_t NodesPerGroup = 64;
+constexpr std::size_t NodesPerGroup = 256;
 constexpr std::size_t PrimitivesPerGroup = 256 * 8;
+
+/// The largest number of work groups that OpenGL guarantees.
+constexpr std::size_t LargestNumberOfGroups = 65535;
 
 // The numbers of the buffers in the shaders.
 enum TestBuffer : unsigned int
@@ -121,7 +124,11 @@ bool vtkNBufferUnitDevice::Begin(vtkOpenGLRenderWindow* window, vtkNBufferBacken
         this->Lists.Use(this->Error, CountDefinition + kind);
         this->Lists.Use(this->Error, CopyDefinition + kind);
       }
-      this->LargestBuffer = vtkNBufferGL::GetLargestStorage();
+      // A record has at least 4 bytes. Units and the nodes above them have a box each.
+      this->LargestBuffer = std::min(vtkNBufferGL::GetLargestStorage(),
+        LargestNumberOfGroups * PrimitivesPerGroup * sizeof(std::uint32_t));
+      this->LargestNumberOfUnits = std::min(LargestNumberOfGroups * NodesPerGroup,
+        vtkNBufferGL::GetLargestStorage() / (2 * sizeof(vtkNBufferUnits::Box)));
     }
   }
   return this->Error.empty();

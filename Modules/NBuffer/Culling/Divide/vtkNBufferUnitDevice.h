@@ -70,6 +70,9 @@ public:
   bool Begin(vtkOpenGLRenderWindow* window, vtkNBufferBackend::Kind backend);
   const std::string& GetError() const { return this->Error; }
 
+  /// Whether the device can test so many units.
+  bool CanTest(std::size_t units) const { return units <= this->LargestNumberOfUnits; }
+
   /**
    * Test the nodes of all levels that have answers. `texture` has the same texels as `levels`,
    * which are those of the viewport of `projection`. Of `rounding` only Origin, Magnitude and
@@ -151,6 +154,7 @@ private:
   vtkMTimeType ContextTime = 0; ///< The context for which Error has been found.
   std::string Error;
   std::size_t LargestBuffer = 0; ///< In bytes.
+  std::size_t LargestNumberOfUnits = 0;
   bool Checked = false;
   bool Right = true;
 };
