@@ -97,41 +97,51 @@ vtkNBufferUnitDevice::~vtkNBufferUnitDevice()
 
 bool vtkNBufferUnitDevice::Begin(vtkOpenGLRenderWindow* window, vtkNBufferBackend::Kind backend)
 {
-  if (backend == vtkNBufferBackend::CPU ||
-    (backend == vtkNBufferBackend::Auto && vtkNBufferGL::GetSoftwareRenderer()))
-  {
-    return false;
-  }
-  this->Resources->RegisterGraphicsResources(window);
   if (this->ContextTime != window->GetContextCreationTime())
   {
     this->ContextTime = window->GetContextCreationTime();
-    this->Checked = false;
+    this->IsSoftware = vtkNBufferGL::GetSoftwareRenderer() != nullptr;
+    this->Prepared = this->Checked = false;
     this->Right = true;
-    this->Error = vtkNBufferGL::ComputePrograms::WhyNot();
-    if (this->Error.empty() && !vtkNBufferGL::HasFeature(4, 0, "GL_ARB_gpu_shader_fp64"))
-    {
-      this->Error = "tests of units need OpenGL 4.0 or GL_ARB_gpu_shader_fp64";
-    }
-    if (this->Error.empty())
-    {
-      // If one of the programs does not compile, Error says so.
-      const vtkNBufferGL::ScopedCompute scope;
-      this->Tests.Use(this->Error);
-      this->Lists.Use(this->Error, AddDefinition);
-      for (const std::string& kind : { std::string(), RunsDefinition })
-      {
-        this->Lists.Use(this->Error, CountDefinition + kind);
-        this->Lists.Use(this->Error, CopyDefinition + kind);
-      }
-      // A record has at least 4 bytes. Units and the nodes above them have a box each.
-      this->LargestBuffer = std::min(vtkNBufferGL::GetLargestStorage(),
-        LargestNumberOfGroups * PrimitivesPerGroup * sizeof(std::uint32_t));
-      this->LargestNumberOfUnits = std::min(LargestNumberOfGroups * NodesPerGroup,
-        vtkNBufferGL::GetLargestStorage() / (2 * sizeof(vtkNBufferUnits::Box)));
-    }
+  }
+  if (backend == vtkNBufferBackend::CPU || (backend == vtkNBufferBackend::Auto && this->IsSoftware))
+  {
+    return false;
+  }
+  if (!this->Prepared)
+  {
+    this->Resources->RegisterGraphicsResources(window);
+    this->Prepared = true;
+    this->Prepare();
   }
   return this->Error.empty();
+}
+
+void vtkNBufferUnitDevice::Prepare()
+{
+  this->Error = vtkNBufferGL::ComputePrograms::WhyNot();
+  if (this->Error.empty() && !vtkNBufferGL::HasFeature(4, 0, "GL_ARB_gpu_shader_fp64"))
+  {
+    this->Error = "tests of units need OpenGL 4.0 or GL_ARB_gpu_shader_fp64";
+  }
+  if (!this->Error.empty())
+  {
+    return;
+  }
+  // If one of the programs does not compile, Error says so.
+  const vtkNBufferGL::ScopedCompute scope;
+  this->Tests.Use(this->Error);
+  this->Lists.Use(this->Error, AddDefinition);
+  for (const std::string& kind : { std::string(), RunsDefinition })
+  {
+    this->Lists.Use(this->Error, CountDefinition + kind);
+    this->Lists.Use(this->Error, CopyDefinition + kind);
+  }
+  // A record has at least 4 bytes. Units and the nodes above them have a box each.
+  this->LargestBuffer = std::min(vtkNBufferGL::GetLargestStorage(),
+    LargestNumberOfGroups * PrimitivesPerGroup * sizeof(std::uint32_t));
+  this->LargestNumberOfUnits = std::min(LargestNumberOfGroups * NodesPerGroup,
+    vtkNBufferGL::GetLargestStorage() / (2 * sizeof(vtkNBufferUnits::Box)));
 }
 
 void vtkNBufferUnitDevice::ReleaseGraphicsResources(vtkWindow*)

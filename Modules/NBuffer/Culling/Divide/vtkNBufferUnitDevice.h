@@ -145,13 +145,16 @@ private:
   /// Copy records, and multiply one field of the command by their number.
   void Copy(const Choice& choice, std::size_t first, std::size_t size,
     const std::vector<Records>& records, const Command& command, std::size_t field, List& list);
+  void Prepare();
   void ReleaseGraphicsResources(vtkWindow* window);
 
   using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferUnitDevice>;
   std::unique_ptr<Callback> Resources;
   vtkNBufferGL::ComputePrograms Tests;
   vtkNBufferGL::ComputePrograms Lists;
-  vtkMTimeType ContextTime = 0; ///< The context for which Error has been found.
+  vtkMTimeType ContextTime = 0; ///< The context of which the members below tell.
+  bool IsSoftware = false;
+  bool Prepared = false; ///< Whether Error has been found.
   std::string Error;
   std::size_t LargestBuffer = 0; ///< In bytes.
   std::size_t LargestNumberOfUnits = 0;
