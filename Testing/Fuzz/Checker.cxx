@@ -194,6 +194,7 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
   const std::string expected = this->Reference.Prepare(frame);
   std::string messages = TakeMessages();
   const std::string found = this->Tested.Prepare(frame);
+  this->HasSelected = !found.empty();
   std::string testedMessages = TakeMessages();
   if (found != expected)
   {
@@ -454,6 +455,7 @@ void Checker::Count(const Scenario& scenario, Tally& tally) const
       tally.Features["culled in several rounds"] += statistics.Rounds > 1;
       tally.Features["culled over a hierarchy"] += statistics.Nodes > 0;
       tally.Features["culled by units"] += statistics.UnitsHidden > 0;
+      tally.Features["units tested on the device"] += statistics.UnitsOnDevice > 0;
       tally.Features["fresh units"] += statistics.FreshDraws > 0;
     }
   }
@@ -461,6 +463,8 @@ void Checker::Count(const Scenario& scenario, Tally& tally) const
   this->CountShadows(tally);
   vtkRenderWindow* window = this->Tested.Window;
   tally.Features["multisampled"] += window->GetMultiSamples() > 1;
+  tally.Features["multisampled or with a selection"] +=
+    window->GetMultiSamples() > 1 || this->HasSelected;
   tally.Features["stereo"] += window->GetStereoRender() != 0;
   tally.Features["several renderers"] += this->Tested.GetNumberOfRenderers() > 1;
   tally.Features["stencil"] += window->GetStencilCapable() != 0;

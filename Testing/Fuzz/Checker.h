@@ -110,6 +110,7 @@ private:
   ShadowFrame Unclamped;          ///< What the reference's Unclamped pass has drawn.
   ShadowTally Shadows;            ///< The sums over all frames so far.
   bool IsUndefined = false;       ///< Whether the frame is one of Tally::Undefined.
+  bool HasSelected = false;       ///< Whether a selection before the frame has found props.
 };
 }
 
