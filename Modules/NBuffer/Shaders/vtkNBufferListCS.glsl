@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Makes a list of the primitives whose units are marked, in the order in which VTK draws them, by
-// three passes (G. E. Blelloch, "Prefix sums and their applications", 1990). A work group has
-// GROUP invocations of OF_EACH primitives each:
+// three passes (G. E. Blelloch, "Prefix sums and their applications", 1990). An invocation has
+// NBUFFER_OF_EACH primitives; here a work group has four:
 //
 //     marked       1 0 0 1 | 1 1 0 0 | 0 0 0 0 | 0 1 1 1
 //     NBUFFER_COUNT   2         2         0         3        how many each work group has
@@ -12,17 +12,17 @@
 //     NBUFFER_COPY 0 . . 1 | 2 3 . . | . . . . | . 4 5 6     where each record is copied to
 //
 // With NBUFFER_RUNS the units are runs of primitives, otherwise groups in space. (With a uniform
-// instead of the definition, Mesa's zink 22.3 takes the branch of an earlier value.)
+// instead of the definition, some lists are wrong on Mesa's zink 22.3.)
 //
 // A record is what VTK has in a buffer for a primitive: the indices of its corners, or the matrix or
 // color of an instance.
 
+//VTK::NBuffer::Shared
 //VTK::NBuffer::Dec
 
-#define GROUP 256u
-#define OF_EACH 8u
+layout(local_size_x = NBUFFER_GROUP) in;
 
-layout(local_size_x = 256) in;
+const uint GROUP = uint(NBUFFER_GROUP);
 
 layout(std430, binding = 0) readonly buffer Marks
 {
@@ -124,8 +124,8 @@ uniform uint words; // the number of words of a record
 
 void main()
 {
-  uint begin = gl_GlobalInvocationID.x * OF_EACH;
-  uint end = min(begin + OF_EACH, size);
+  uint begin = gl_GlobalInvocationID.x * NBUFFER_OF_EACH;
+  uint end = min(begin + NBUFFER_OF_EACH, size);
   uint marked = 0u;
   for (uint i = begin; i < end; ++i)
   {

@@ -41,6 +41,11 @@
 #define NBUFFER_ANSWER_BITS 2u
 #define NBUFFER_ANSWER_MASK 3u
 
+// The invocations of a work group of the compute shaders, and how many primitives each of them has
+// in vtkNBufferListCS.glsl.
+#define NBUFFER_GROUP 256
+#define NBUFFER_OF_EACH 8u
+
 // The largest number of children of a node of units (vtkNBufferUnits.h).
 #define NBUFFER_FANOUT 8u
 

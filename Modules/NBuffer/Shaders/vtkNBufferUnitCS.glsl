@@ -4,13 +4,13 @@
 
 // Compares the boxes of the nodes of one level of vtkNBufferUnits with the farthest depths in an
 // N-buffer. This is vtkNBufferProjection::Project() and vtkNBufferOcclusionTest, operation by
-// operation, but for boxes that reach before the near plane or behind the eye: those are left to
-// the host. `precise` keeps compilers from merging operations.
+// operation. Boxes that reach before the near plane or behind the eye are left to the host.
+// `precise` keeps compilers from merging operations.
 
 //VTK::NBuffer::Shared
 //VTK::NBuffer::Query
 
-layout(local_size_x = 256) in;
+layout(local_size_x = NBUFFER_GROUP) in;
 
 layout(std430, binding = 0) readonly buffer Boxes
 {

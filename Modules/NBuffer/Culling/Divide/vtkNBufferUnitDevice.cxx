@@ -14,9 +14,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-// The sizes of work groups in the shaders.
-constexpr std::size_t NodesPerGroup = 256;
-constexpr std::size_t PrimitivesPerGroup = 256 * 8;
+// What a work group of the shaders has.
+constexpr std::size_t NodesPerGroup = NBUFFER_GROUP;
+constexpr std::size_t PrimitivesPerGroup = NBUFFER_GROUP * NBUFFER_OF_EACH;
 
 /// The largest number of work groups that OpenGL guarantees.
 constexpr std::size_t LargestNumberOfGroups = 65535;
