@@ -71,8 +71,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   bool DivideInBackground = true;
   ///@}
 
-  /// With the OpenGL back-end, the graphics device tests the units of a prop that has at least this
-  /// many; 1 or more. It always makes the lists of what is drawn of a prop (vtkNBufferUnitDevice).
+  /// With the OpenGL back-end, the graphics device tests the units of a prop if it has at least this
+  /// many, and as many are left after the host has tested groups of 512 units; 1 or more. It always
+  /// makes the lists of what is drawn of a prop (vtkNBufferUnitDevice).
   int MinimumNumberOfUnitsOnDevice = 1024;
 
   /// Whether the times of a few frames decide if props are divided (vtkNBufferUnitTrial): 0 means

@@ -203,7 +203,8 @@ bool vtkNBufferDividedProp::TestOnDevice(const vtkNBufferProjection& projection,
   const vtkNBufferUnits& units = this->Culling.GetUnits();
   vtkNBufferUnitDevice* device = this->Hook.GetDevice();
   const bool isWorthIt = device && device->IsRight() && device->CanTest(units.GetSize()) &&
-    depth.GetTexture && units.GetSize() >= this->MinimumNumberOfUnitsOnDevice;
+    depth.GetTexture && units.GetSize() >= this->MinimumNumberOfUnitsOnDevice &&
+    this->Culling.CountInDoubt(projection, depth) >= this->MinimumNumberOfUnitsOnDevice;
   const vtkNBufferTexture* texture = isWorthIt ? depth.GetTexture() : nullptr;
   if (!texture)
   {

@@ -255,6 +255,21 @@ vtkNBufferUnitAnswers::Answer vtkNBufferUnitCulling::TestBox(
   return isHidden ? vtkNBufferUnitAnswers::Hidden : vtkNBufferUnitAnswers::Visible;
 }
 
+std::size_t vtkNBufferUnitCulling::CountInDoubt(
+  const vtkNBufferProjection& projection, const Depth& depth) const
+{
+  Tests tests = { projection, vtkNBufferOcclusionTest(depth.Levels, depth.SampleDistance), {} };
+  const auto& levels = this->Units.GetLevels();
+  const std::size_t level = std::min(vtkNBufferUnitAnswers::HighestLevel, levels.size() - 1);
+  std::size_t units = 0;
+  for (std::size_t n = 0; n < levels[level].size(); ++n)
+  {
+    const bool isLeft = this->TestBox(level, n, tests) == vtkNBufferUnitAnswers::Visible;
+    units += isLeft ? this->Units.GetEnd(level, n) - this->Units.GetBegin(level, n) : 0;
+  }
+  return units;
+}
+
 bool vtkNBufferUnitCulling::AreRight(const vtkNBufferUnitAnswers& answers,
   const vtkNBufferProjection& projection, const Depth& depth) const
 {

@@ -76,6 +76,10 @@ public:
   int Test(const vtkNBufferProjection& projection, const Depth& depth,
     const vtkNBufferUnitAnswers* answers = nullptr);
 
+  /// How many units are left if only nodes of the highest level that Test() tests are compared with
+  /// the levels.
+  std::size_t CountInDoubt(const vtkNBufferProjection& projection, const Depth& depth) const;
+
   /// Whether all answers of a device are those of the host.
   bool AreRight(const vtkNBufferUnitAnswers& answers, const vtkNBufferProjection& projection,
     const Depth& depth) const;
