@@ -576,3 +576,18 @@ TEST(CullerDivisionSettings, NothingHiddenIsLeftAlone)
   }
   EXPECT_LE(tested, 8) << "of 40 frames";
 }
+
+// Hazard: a list that the device has made is drawn without a device, or the other way round.
+TEST(CullerDivisionSettings, BackendMayChange)
+{
+  ComparisonOptions options = MakeOptions();
+  options.Tuning.ReuseWhenStill = false; // The same units are drawn again and again.
+  Comparison comparison([](Stage& stage) { stage.AddActor(MakeCity(14), White); }, options);
+  for (int i = 0; i < 24; ++i)
+  {
+    comparison.GetCuller()->SetBackend(
+      i % 4 < 2 ? vtkNBufferCuller::OpenGL : vtkNBufferCuller::CPU);
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i / 8); });
+  }
+  EXPECT_GT(comparison.GetStatistics().UnitsHidden, 0);
+}

@@ -107,7 +107,8 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
 {
   this->Stale = false;
   Buffer& buffer = this->Buffers[list];
-  if (buffer.Marked == marked && !buffer.IsPending)
+  const bool canBeDrawn = !buffer.IsPending && (this->Device || !buffer.Choice.Units);
+  if (buffer.Marked == marked && canBeDrawn)
   {
     return;
   }
