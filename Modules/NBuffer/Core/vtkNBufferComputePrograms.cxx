@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferComputePrograms.h"
 
+#include "vtkNBufferComputeDec.h"
 #include "vtkNBufferQuery.h"
 #include "vtkNBufferSharedText.h"
 
@@ -28,6 +29,10 @@ unsigned int ComputePrograms::Use(std::string& why, const std::string& definitio
   if (program == 0)
   {
     std::string text = this->Text;
+    if (!HasVersion(4, 3))
+    {
+      text.replace(0, text.find('\n'), vtkNBufferComputeDec); // The version is in the first line.
+    }
     vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Dec", definitions);
     vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Shared", vtkNBufferSharedText);
     vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Query", vtkNBufferQuery);

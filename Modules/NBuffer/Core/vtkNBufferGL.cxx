@@ -97,7 +97,7 @@ const char* GetSoftwareRenderer()
   return found == names.end() ? nullptr : *found;
 }
 
-/// Whether the current context is that of Mesa's softpipe, which breaks two of OpenGL's promises.
+/// Whether the current context is that of Mesa's softpipe, which breaks three of OpenGL's promises.
 static bool IsSoftpipe()
 {
   const char* software = GetSoftwareRenderer();
@@ -110,6 +110,11 @@ bool KeepsColorsWhenRead()
 }
 
 bool OffsetsBeyondFarPlane()
+{
+  return !IsSoftpipe();
+}
+
+bool ComputesDoubles()
 {
   return !IsSoftpipe();
 }

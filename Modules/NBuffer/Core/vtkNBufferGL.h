@@ -57,6 +57,10 @@ VTKNBUFFER_EXPORT bool KeepsColorsWhenRead();
 /// of a triangle and clamps each of them to [0, 1], which bends triangles that reach farther.
 VTKNBUFFER_EXPORT bool OffsetsBeyondFarPlane();
 
+/// Whether shaders compute with doubles as OpenGL promises (GLSL 4.60, section 4.7.1). Mesa's
+/// softpipe rounds some results wrongly.
+VTKNBUFFER_EXPORT bool ComputesDoubles();
+
 /// Whether the current context draws a fragment in each pixel that a triangle touches, and not only
 /// where a sample lies in the triangle: with smoothed polygons and conservative rasterisation.
 VTKNBUFFER_EXPORT bool CoversTouchedPixels();

@@ -124,6 +124,10 @@ void vtkNBufferUnitDevice::Prepare()
   {
     this->Error = "tests of units need OpenGL 4.0 or GL_ARB_gpu_shader_fp64";
   }
+  if (this->Error.empty() && !vtkNBufferGL::ComputesDoubles())
+  {
+    this->Error = "Mesa's softpipe computes with doubles wrongly";
+  }
   if (!this->Error.empty())
   {
     return;
