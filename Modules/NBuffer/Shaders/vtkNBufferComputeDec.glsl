@@ -7,5 +7,6 @@
 #extension GL_ARB_compute_shader : require
 #extension GL_ARB_shader_storage_buffer_object : require
 #extension GL_ARB_shading_language_420pack : require
+#extension GL_ARB_shader_image_load_store : enable
 #extension GL_ARB_gpu_shader5 : enable
 #extension GL_ARB_gpu_shader_fp64 : enable
