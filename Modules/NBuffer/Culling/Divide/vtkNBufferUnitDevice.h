@@ -4,9 +4,9 @@
  * @class vtkNBufferUnitDevice
  * @brief Compute shaders for large props: test their units, and make the lists of what is drawn.
  *
- * Beside a graphics device both take the host long: a test of 40,000 units takes some 10 ms, and a
- * list of a million triangles has 12 MB to upload. Here 2 bits for each node of the units are read
- * back, and one bit for each unit is uploaded. What that gains has not been measured on a device.
+ * Both take the host long: a test of 40,000 units takes some 10 ms, and a list of a million
+ * triangles has 12 MB to upload. Here 2 bits for each node of the units are read back, and one bit
+ * for each unit is uploaded. What that gains has not been measured on a device.
  *
  * What is drawn is the same as with the lists of the host: the units that the host would find
  * visible (vtkNBufferUnitCS.glsl computes what vtkNBufferProjection computes), and their primitives
