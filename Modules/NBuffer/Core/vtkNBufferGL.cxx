@@ -119,16 +119,30 @@ bool ComputesDoubles()
   return !IsSoftpipe();
 }
 
-bool CoversTouchedPixels()
+bool CoversTouchedPixels(vtkOpenGLRenderWindow* window)
 {
   // Extensions and their capabilities. It is an error to query one whose extension is missing.
   constexpr std::pair<const char*, GLenum> conservative[] = {
     { "GL_NV_conservative_raster", 0x9346 }, { "GL_INTEL_conservative_rasterization", 0x83FE }
   };
-  return glIsEnabled(GL_POLYGON_SMOOTH) == GL_TRUE ||
-    std::any_of(std::begin(conservative), std::end(conservative),
-      [](const auto& extension)
-      { return HasExtension(extension.first) && glIsEnabled(extension.second) == GL_TRUE; });
+  // Looking for extensions takes 0.07 ms, so that it is done only where the context is another one
+  // than in the last call.
+  static thread_local vtkMTimeType contextTime = 0;
+  static thread_local std::vector<GLenum> capabilities;
+  if (contextTime != window->GetContextCreationTime())
+  {
+    contextTime = window->GetContextCreationTime();
+    capabilities = { GL_POLYGON_SMOOTH };
+    for (const auto& [extension, capability] : conservative)
+    {
+      if (HasExtension(extension))
+      {
+        capabilities.push_back(capability);
+      }
+    }
+  }
+  return std::any_of(capabilities.begin(), capabilities.end(),
+    [](GLenum capability) { return glIsEnabled(capability) == GL_TRUE; });
 }
 
 int GetSubpixelBits()

@@ -61,9 +61,10 @@ VTKNBUFFER_EXPORT bool OffsetsBeyondFarPlane();
 /// softpipe rounds some results wrongly.
 VTKNBUFFER_EXPORT bool ComputesDoubles();
 
-/// Whether the current context draws a fragment in each pixel that a triangle touches, and not only
-/// where a sample lies in the triangle: with smoothed polygons and conservative rasterisation.
-VTKNBUFFER_EXPORT bool CoversTouchedPixels();
+/// Whether the current context, that of the window, draws a fragment in each pixel that a triangle
+/// touches, and not only where a sample lies in the triangle: with smoothed polygons and
+/// conservative rasterisation.
+VTKNBUFFER_EXPORT bool CoversTouchedPixels(vtkOpenGLRenderWindow* window);
 
 /// The number of subpixel bits of the grid to which the current context snaps vertices, clamped to
 /// 4 (OpenGL requires no less) to 8 (a finer grid gains nothing).

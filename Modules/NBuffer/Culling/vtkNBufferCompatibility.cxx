@@ -313,7 +313,7 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateLi
   // A pass may draw opaque props into one sample, and the window then translucent ones into more.
   const bool hasOtherSamples = window->GetMultiSamples() > 1 &&
     source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
-  if (hasOtherSamples || vtkNBufferGL::CoversTouchedPixels())
+  if (hasOtherSamples || vtkNBufferGL::CoversTouchedPixels(window))
   {
     source.Places = vtkNBufferSamples::Anywhere();
   }
