@@ -264,6 +264,25 @@ TEST(ExchangePlan, PausesWhereTrialsGainNothing)
   }
 }
 
+TEST(ExchangePlan, TrialsAreRareWhereTheyGain)
+{
+  vtkNBufferExchangePlan plan;
+  std::vector<int> trials;
+  for (int i = -3; i < 60; ++i)
+  {
+    plan.BeginFrame(i >= 0);
+    if (plan.IsTrial())
+    {
+      trials.push_back(i);
+    }
+    vtkNBufferRankReply reply = MakeReply(true);
+    reply.Unhidden = 1000;
+    reply.Gain = i < 45 ? 500 : 0; // The fourth trial is the last one with a gain.
+    plan.Learn(reply, 0);
+  }
+  EXPECT_EQ(trials, (std::vector<int>{ 0, 4, 21, 38, 55, 59 }));
+}
+
 TEST(ExchangePlan, PoorTrialsInNewViewsDoNotCount)
 {
   // Every other trial is in a new view.

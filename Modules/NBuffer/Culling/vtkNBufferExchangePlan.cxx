@@ -29,16 +29,30 @@ void vtkNBufferExchangePlan::Learn(const vtkNBufferRankReply& reply, int number)
   {
     this->Planned = 2;
   }
-  const int unhidden = std::max(reply.Unhidden, 1);
-  if (this->HadTrial && !(this->WasNew && vtkNBufferBackOff::IsPoor(reply.Gain, unhidden)))
+  const bool isTrial = this->IsTrial();
+  this->UntilTrial = isTrial ? ExchangesPerTrial - 1 : std::max(this->UntilTrial - 1, 0);
+  if (this->HadTrial)
   {
-    this->BackOff.Learn(reply.Gain, unhidden);
+    const int unhidden = std::max(reply.Unhidden, 1);
+    const bool isPoor = vtkNBufferBackOff::IsPoor(reply.Gain, unhidden);
+    this->Gains = isPoor ? 0 : this->Gains + 1;
+    if (this->Gains > 1)
+    {
+      this->UntilTrial = ExchangesAfterGain - 1; // This exchange was the first one without a trial.
+    }
+    if (!isPoor || !this->WasNew)
+    {
+      this->BackOff.Learn(reply.Gain, unhidden);
+    }
   }
-  // The first exchange after a pause is a trial, and the verdicts from before the pause are not
-  // used again.
-  this->HadTrial = this->IsTrial();
+  this->HadTrial = isTrial;
   this->WasNew = isNew;
-  this->IsQuiet = this->IsQuiet && !this->BackOff.IsPaused();
-  this->SinceTrial = this->BackOff.IsPaused() ? 0 : (this->SinceTrial + 1) % ExchangesPerTrial;
+  if (this->BackOff.IsPaused())
+  {
+    // The first exchange after a pause is a trial, and the verdicts from before the pause are not
+    // used again.
+    this->UntilTrial = 0;
+    this->IsQuiet = false;
+  }
 }
 VTK_ABI_NAMESPACE_END

@@ -20,7 +20,7 @@
  *    how many of the props that its own depth does not hide the depth of all ranks has hidden.
  *    Where that is next to nothing, vtkNBufferBackOff decides how long to pause. A trial in a new
  *    view that finds little does not count, because the first exchange of such a frame has little
- *    depth.
+ *    depth. After two trials in a row that find enough, 16 exchanges have none.
  *
  * A frame in which nothing moves needs the poll, unless it draws what only other ranks hide. Proof:
  * Let a prop of rank B be hidden by nothing but a wall of rank A. Compare a frame before which
@@ -44,6 +44,8 @@ class VTKNBUFFER_EXPORT vtkNBufferExchangePlan
 public:
   /// One in this many exchanges is a trial.
   static constexpr int ExchangesPerTrial = 4;
+  /// The exchanges without a trial after two trials in a row that have found enough.
+  static constexpr int ExchangesAfterGain = 16;
   /// A frame has a second exchange if a rank holds back more props than this of a new view. With
   /// fewer, those that only the second exchange could hide are drawn.
   static constexpr int FewNewProps = 256;
@@ -60,7 +62,7 @@ public:
   int GetNumberOfExchanges() const { return this->Planned; }
 
   /// Whether the first exchange of this frame is a trial.
-  bool IsTrial() const { return this->MayBackOff && this->SinceTrial == 0; }
+  bool IsTrial() const { return this->MayBackOff && this->UntilTrial == 0; }
 
   /// Learn from the poll whether any rank has changed.
   void LearnPoll(bool changed);
@@ -71,7 +73,8 @@ public:
 private:
   vtkNBufferBackOff BackOff;
   int Planned = 0;
-  int SinceTrial = 0; ///< The exchanges since the last trial; 0 if the next one is a trial.
+  int UntilTrial = 0; ///< The exchanges before the next trial.
+  int Gains = 0;      ///< The trials in a row that have found enough.
   bool MayBackOff = true;
   bool HadTrial = false; ///< Whether the next reply has the gain of a trial,
   bool WasNew = false;   ///< and whether that trial was in a new view.

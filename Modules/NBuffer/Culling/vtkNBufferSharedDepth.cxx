@@ -205,12 +205,17 @@ bool vtkNBufferSharedDepth::Merge(vtkNBufferLevels& base)
   {
     this->Join(texels);
   }
-  bool isNearer = false;
-  const std::size_t size = static_cast<std::size_t>(this->Size[0]) * this->Size[1];
-  for (std::size_t i = 0; i < size && this->HasShared; ++i)
+  if (!this->HasShared)
   {
-    isNearer = isNearer || this->Minima[i] < texels[i];
-    texels[i] = std::min(texels[i], this->Minima[i]);
+    return false;
+  }
+  bool isNearer = false;
+  const float* minima = this->Minima.data();
+  const std::size_t size = static_cast<std::size_t>(this->Size[0]) * this->Size[1];
+  for (std::size_t i = 0; i < size; ++i) // Compilers vectorise this loop.
+  {
+    isNearer |= minima[i] < texels[i];
+    texels[i] = std::min(texels[i], minima[i]);
   }
   return isNearer;
 }

@@ -181,9 +181,9 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
   {
     return true;
   }
+  const int factor = this->Levels.GetFactor();
   if (this->SquareLevel < this->Levels.GetNumberOfLevels())
   {
-    const int factor = this->Levels.GetFactor();
     const float farthest = this->Levels.GetTexel(this->SquareLevel, x / factor, y / factor);
     ++this->Lookups;
     if (this->GetNearest(x + half, y + half, half) > farthest)
@@ -200,10 +200,14 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
       const double depth = this->Depth[row * width + column];
       const double x = column + 0.5;
       const double y = row + 0.5;
-      if (!(this->Nearest > depth) && !this->IsOutsideOutline(x, y, this->SampleDistance) &&
-        !(this->GetNearest(x, y, this->SampleDistance) > depth))
+      if (!(this->Nearest > depth) && !this->IsOutsideOutline(x, y, this->SampleDistance))
       {
-        return false;
+        const double nearest = this->GetNearest(x, y, this->SampleDistance);
+        if (!(nearest > depth) &&
+          !(nearest > this->Levels.GetTexel(0, column / factor, row / factor)))
+        {
+          return false;
+        }
       }
     }
   }

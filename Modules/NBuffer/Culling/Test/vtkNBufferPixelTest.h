@@ -65,7 +65,9 @@ public:
   /**
    * All arguments are kept by reference and must outlive the test. `levels` holds the largest
    * orders of depth of the projection's viewport. `depth` is the image of orders that they were
-   * made from, row 0 at the bottom. `sampleDistance` is how far from the middle of its pixel a
+   * made from, row 0 at the bottom. In a parallel program the texels of `levels` may be nearer than
+   * their pixels, because of what other ranks have drawn; of a pixel and its texel the nearer one
+   * counts. `sampleDistance` is how far from the middle of its pixel a
    * sample may be in x and in y: 0 with one sample, at most 0.5 pixels with more, 0.5 for smoothed
    * polygons.
    */
