@@ -75,7 +75,8 @@ void ReduceRows(const float* depth, int width, int rows, int factor, float* scra
 }
 
 template <typename Op>
-void ReduceToBase(const float* depth, int width, int height, int factor, float* base)
+void ReduceToBase(
+  const float* depth, int width, int height, int factor, const vtkNBufferRows& rows, float* base)
 {
   const int baseWidth = vtkNBufferMath::GetBaseSize(width, factor);
   const int baseHeight = vtkNBufferMath::GetBaseSize(height, factor);
@@ -86,9 +87,14 @@ void ReduceToBase(const float* depth, int width, int height, int factor, float* 
       for (int y = begin; y < end; ++y)
       {
         const int first = y * factor;
+        float* const out = base + static_cast<std::size_t>(y) * baseWidth;
+        if (first + factor <= rows.Begin || first >= rows.End)
+        {
+          std::fill_n(out, baseWidth, rows.Outside);
+          continue;
+        }
         ReduceRows<Op>(depth + static_cast<std::size_t>(first) * width, width,
-          std::min(factor, height - first), factor, scratch.data(),
-          base + static_cast<std::size_t>(y) * baseWidth);
+          std::min(factor, height - first), factor, scratch.data(), out);
       }
     });
 }
@@ -108,8 +114,8 @@ void vtkNBufferLevels::Allocate(
   this->Texels.resize(std::max(this->Texels.size(), this->GetLevelOffset(this->NumberOfLevels)));
 }
 
-void vtkNBufferLevels::BuildBase(
-  const float* depth, int width, int height, int factor, vtkNBufferExtremum extremum)
+void vtkNBufferLevels::BuildBase(const float* depth, int width, int height, int factor,
+  vtkNBufferExtremum extremum, const vtkNBufferRows& rows)
 {
   this->Allocate(width, height, factor, 1, extremum);
   if (this->NumberOfLevels == 0)
@@ -119,11 +125,11 @@ void vtkNBufferLevels::BuildBase(
   float* base = this->GetLevelData(0);
   if (extremum == vtkNBufferExtremum::Maximum)
   {
-    ReduceToBase<Maximum>(depth, width, height, factor, base);
+    ReduceToBase<Maximum>(depth, width, height, factor, rows, base);
   }
   else
   {
-    ReduceToBase<Minimum>(depth, width, height, factor, base);
+    ReduceToBase<Minimum>(depth, width, height, factor, rows, base);
   }
 }
 

@@ -20,10 +20,20 @@
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 
+#include "vtkType.h"
+
 #include <cstddef>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+
+/// The rows of a depth image in which anything may have been drawn: Begin to End - 1.
+struct vtkNBufferRows
+{
+  int Begin = 0;
+  int End = VTK_INT_MAX;
+  float Outside = 1.0f; ///< The depth of every pixel in other rows.
+};
 
 class VTKNBUFFER_EXPORT vtkNBufferLevels
 {
@@ -31,10 +41,11 @@ public:
   /**
    * Make level 0 from a depth image of width x height pixels, whose row 0 is the lowest, by taking
    * the extremum over squares of `factor` x `factor` pixels. The factor is any positive number. A
-   * square at the right or upper border may contain fewer pixels. Levels above 0 are dropped.
+   * square at the right or upper border may contain fewer pixels. Squares in which no pixel is in
+   * `rows` are not looked at. Levels above 0 are dropped.
    */
-  void BuildBase(
-    const float* depth, int width, int height, int factor, vtkNBufferExtremum extremum);
+  void BuildBase(const float* depth, int width, int height, int factor, vtkNBufferExtremum extremum,
+    const vtkNBufferRows& rows = {});
 
   /**
    * Make room for `levels` levels (at most vtkNBufferMath::GetNumberOfLevels() of the base) over a

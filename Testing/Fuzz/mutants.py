@@ -51,6 +51,10 @@ MUTANTS = {
         (CANDIDATE, "this->Box.Margin = vtkNBufferSurface::GetMargin(actor);",
          "this->Box.Margin = 0.0;")],
 
+    # What is read.
+    "rows that are not read keep the depth of an earlier frame": [
+        ("vtkNBufferBackend.cxx", "endRead = std::min(this->EndRead, size);", "endRead = 0;")],
+
     # The hierarchy over the props.
     "hierarchy of boxes that lack their upper parts": [
         (HIERARCHY, "this->High = glm::max(this->High, high);",
@@ -145,8 +149,8 @@ MUTANTS = {
         ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 0; i < NBUFFER_SAMPLES; ++i)",
          "for (int i = 0; i < 1; ++i)")],
     "viewport's origin ignored on the host": [
-        ("vtkNBufferBackend.cxx", "job.Source.Read(job.Window, viewport[0], viewport[1],",
-         "job.Source.Read(job.Window, 0, 0,")],
+        ("vtkNBufferBackend.cxx", "job.Source.Read(job.Window, viewport[0], viewport[1] +",
+         "job.Source.Read(job.Window, 0, 0 +")],
     "viewport's origin ignored on the device": [
         ("vtkNBufferBackend.cxx",
          "texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2], viewport[3],",

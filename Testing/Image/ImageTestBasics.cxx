@@ -8,6 +8,7 @@
 #include "vtkNBufferMath.h"
 #include "vtkShadowVolumeClampPass.h"
 
+#include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 
@@ -372,7 +373,7 @@ TEST(CullerBasics, DevicesReadBackTheBaseLevel)
   }
 }
 
-// The host reads all pixels, once for each round.
+// The host reads all pixels if props lie in all rows, once for each round.
 TEST(CullerBasics, TheHostReadsAllPixels)
 {
   ComparisonOptions options;
@@ -384,6 +385,56 @@ TEST(CullerBasics, TheHostReadsAllPixels)
   EXPECT_EQ(statistics.ReadBacks, statistics.Rounds);
   EXPECT_EQ(statistics.BytesRead,
     static_cast<long long>(sizeof(float)) * options.Width * options.Height * statistics.ReadBacks);
+}
+
+// Hazard: rows are read that hold nothing but background; rows are left out in which something has
+// been drawn that is no candidate; or depth of an earlier frame is left in a row.
+TEST(CullerBasics, TheHostReadsOnlyRowsInWhichPropsLie)
+{
+  const std::pair<const char*, Comparison::Change> cases[] = {
+    { "candidates", nullptr },
+    { "depth is preserved", [](Stage& stage) { stage.GetRenderer()->PreserveDepthBufferOn(); } },
+    { "a prop of another kind",
+      [](Stage& stage)
+      {
+        const int box = Scenes::AddBox(stage, 0.0, 0.0, 5.0, 0.2, 0.2, 0.2);
+        vtkNew<vtkAssembly> assembly;
+        assembly->AddPart(stage.GetActor(box));
+        stage.GetRenderer()->RemoveViewProp(stage.GetActor(box));
+        stage.Add(assembly);
+      } },
+  };
+  for (const auto& [name, change] : cases)
+  {
+    SCOPED_TRACE(name);
+    ComparisonOptions options;
+    options.Backend = vtkNBufferCuller::CPU;
+    Comparison comparison(Scenes::BuildWall, options);
+    for (int i = 0; i < 12; ++i)
+    {
+      // The wall is a band that goes up and down.
+      comparison.Both(
+        [i](Stage& stage)
+        {
+          vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+          camera->SetViewAngle(100.0);
+          camera->SetFocalPoint(0.0, i % 2 ? 8.0 : -8.0, 0.0);
+        });
+      comparison.Frame("band", i == 4 ? change : nullptr);
+      const bool readsAll = change && i >= 4;
+      const vtkNBufferStatistics& statistics = comparison.GetStatistics();
+      ASSERT_EQ(statistics.Decision, vtkNBufferDecision::Culled);
+      const auto row = static_cast<long long>(sizeof(float)) * options.Width;
+      EXPECT_EQ(statistics.BytesRead % row, 0);
+      EXPECT_EQ(statistics.BytesRead == row * options.Height * statistics.ReadBacks, readsAll);
+      EXPECT_TRUE(comparison.GetHidden() > 0 || change);
+      if (!readsAll && i > 2)
+      {
+        EXPECT_LT(statistics.BytesRead, row * options.Height * 3 / 4);
+        EXPECT_GT(statistics.BytesRead, row * options.Height / 8);
+      }
+    }
+  }
 }
 
 // Hazard: the two back-ends must agree on every verdict, or one of them is wrong.

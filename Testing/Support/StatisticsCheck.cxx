@@ -33,7 +33,7 @@ std::string FindInconsistency(
   if (s.Decision == vtkNBufferDecision::Culled)
   {
     demand(s.Rounds >= 1, "a culled frame has a round");
-    demand(s.ReadBacks >= 1 && s.BytesRead > 0, "a culled frame reads depth");
+    demand((s.ReadBacks > 0) == (s.BytesRead > 0), "a read-back has pixels");
     demand(s.Lookups >= s.Queries, "Lookups >= Queries");
     demand(s.Lookups <= 4 * s.Queries || mayReadPixels, "at most four lookups for a rectangle");
     demand(hidden <= s.HeldBack, "only what is held back can be hidden");

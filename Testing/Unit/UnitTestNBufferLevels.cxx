@@ -297,6 +297,38 @@ TEST(NBufferLevelsOnce, WithoutAnImageThereIsNothing)
   }
 }
 
+// Hazard: a square that only partly lies in rows where nothing was drawn is left out. What is
+// stored in such rows outside of these squares must not matter.
+TEST(NBufferLevels, RowsOutsideAreNotLookedAt)
+{
+  for (const int factor : { 1, 2, 4, 8 })
+  {
+    for (const auto& [begin, end] : { std::pair(0, 21), std::pair(5, 6), std::pair(8, 16),
+           std::pair(3, 20), std::pair(7, 7), std::pair(21, 21), std::pair(0, 0) })
+    {
+      SCOPED_TRACE(testing::Message() << "factor " << factor << " rows " << begin << " to " << end);
+      Image image(13, 21, 7);
+      Image stale = image;
+      for (const auto& [x, y] : Pixels(image.Width, image.Height))
+      {
+        const std::size_t i = static_cast<std::size_t>(y) * image.Width + x;
+        const bool isSquareOutside =
+          (y / factor + 1) * factor <= begin || y / factor * factor >= end;
+        image.Depth[i] = y < begin || y >= end ? 2.0f : image.Depth[i];
+        stale.Depth[i] = isSquareOutside ? 5.0f : image.Depth[i];
+      }
+      vtkNBufferLevels expected;
+      BuildBase(expected, image, factor, Extremum::Maximum);
+      vtkNBufferLevels levels;
+      levels.BuildBase(stale.Depth.data(), image.Width, image.Height, factor, Extremum::Maximum,
+        { begin, end, 2.0f });
+      const std::ptrdiff_t size = std::ptrdiff_t{ levels.GetWidth() } * levels.GetHeight();
+      EXPECT_TRUE(std::equal(
+        levels.GetLevelData(0), levels.GetLevelData(0) + size, expected.GetLevelData(0)));
+    }
+  }
+}
+
 // Hazard: levels that are filled from the graphics device are not where queries look for them.
 TEST(NBufferLevelsOnce, AllocateIsFilledFromOutside)
 {

@@ -105,38 +105,10 @@ void vtkNBufferBackend::Merge(const std::function<bool(vtkNBufferLevels&)>& merg
   levels.Allocate(
     job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1, vtkNBufferExtremum::Maximum);
   this->IsMerged = merge(levels);
-  if (this->IsMerged && this->HasDepth)
-  {
-    this->MergePixels(levels, { 0, 0, job.Source.Viewport[2], job.Source.Viewport[3] });
-  }
   const int built = levels.BuildLevels(job.NumberOfLevels);
   job.Statistics.Levels += built;
   job.Statistics.Texels += static_cast<long long>(built) * levels.GetWidth() * levels.GetHeight();
   job.Statistics.BuildTime += clock.GetMilliseconds();
-}
-
-void vtkNBufferBackend::MergePixels(
-  const vtkNBufferLevels& levels, const vtkNBufferRectangle& pixels)
-{
-  const int factor = levels.GetFactor();
-  std::vector<float> nearest(pixels.GetWidth()); // The texel of each pixel of a row.
-  for (int y = pixels.Y0; y < pixels.Y1; ++y)
-  {
-    if (y == pixels.Y0 || y % factor == 0)
-    {
-      const float* texels =
-        levels.GetLevelData(0) + static_cast<std::size_t>(y / factor) * levels.GetWidth();
-      for (int x = pixels.X0; x < pixels.X1; ++x)
-      {
-        nearest[x - pixels.X0] = texels[x / factor];
-      }
-    }
-    float* row =
-      this->Depth.data() + static_cast<std::size_t>(y) * levels.GetPixelWidth() + pixels.X0;
-    // Compilers turn this expression into a vector instruction.
-    std::transform(nearest.begin(), nearest.end(), row, row,
-      [](float texel, float pixel) { return texel < pixel ? texel : pixel; });
-  }
 }
 
 bool vtkNBufferBackend::CountFailure(vtkNBufferDecision failure)
@@ -226,29 +198,51 @@ vtkNBufferDecision vtkNBufferBackend::BuildOnDevice(const Job& job, std::string&
 
 vtkNBufferDecision vtkNBufferBackend::ReadDepth(const Job& job, std::string& why)
 {
+  const vtkNBufferClock clock;
   const int* viewport = job.Source.Viewport;
+  const std::size_t width = viewport[2];
+  const std::size_t first = width * job.Rows.Begin;
+  const std::size_t end = width * job.Rows.End;
+  this->ClearDepth(width * viewport[3], first, end);
+  if (first == end)
+  {
+    return vtkNBufferDecision::None;
+  }
   if (job.Source.Samples > 1)
   {
     // OpenGL cannot read samples: the device reduces them to the farthest one of each pixel.
     const vtkNBufferDecision failure = Reduce(this->FarthestTexture, job, 1, why);
-    this->Depth.resize(static_cast<std::size_t>(viewport[2]) * viewport[3]);
     return failure != vtkNBufferDecision::None
       ? failure
-      : ReadBack(this->FarthestTexture, job, { { 0, 0, viewport[2], viewport[3] } },
+      : ReadBack(this->FarthestTexture, job, { { 0, job.Rows.Begin, viewport[2], job.Rows.End } },
           this->Depth.data(), why);
   }
-  const vtkNBufferClock clock;
-  if (!job.Source.Read(job.Window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth,
-        why, vtkNBufferDepthConvention::GetFarthest(job.Source.Stored)))
+  float* const depth = this->Depth.data() + first;
+  if (!job.Source.Read(job.Window, viewport[0], viewport[1] + job.Rows.Begin, viewport[2],
+        job.Rows.End - job.Rows.Begin, depth, why,
+        vtkNBufferDepthConvention::GetFarthest(job.Source.Stored)))
   {
     return vtkNBufferDecision::NoDepth;
   }
-  vtkNBufferDepthConvention::ToOrders(job.Source.Stored, this->Depth.data(), this->Depth.size());
+  vtkNBufferDepthConvention::ToOrders(job.Source.Stored, depth, end - first);
   vtkNBufferStatistics& statistics = job.Statistics;
   statistics.ReadTime += clock.GetMilliseconds();
   ++statistics.ReadBacks;
-  statistics.BytesRead += static_cast<long long>(sizeof(float)) * viewport[2] * viewport[3];
+  statistics.BytesRead += static_cast<long long>(sizeof(float) * (end - first));
   return vtkNBufferDecision::None;
+}
+
+void vtkNBufferBackend::ClearDepth(std::size_t size, std::size_t first, std::size_t end)
+{
+  this->Depth.resize(size, vtkNBufferDepthConvention::Background);
+  const std::size_t endRead = std::min(this->EndRead, size);
+  float* const depth = this->Depth.data();
+  const auto clear = [depth](std::size_t from, std::size_t to)
+  { std::fill(depth + std::min(from, to), depth + to, vtkNBufferDepthConvention::Background); };
+  clear(this->FirstRead, std::min(endRead, first));
+  clear(std::max(this->FirstRead, end), endRead);
+  this->FirstRead = first;
+  this->EndRead = end;
 }
 
 const float* vtkNBufferBackend::GetDepth(
@@ -266,7 +260,8 @@ const float* vtkNBufferBackend::GetDepth(
     {
       return nullptr;
     }
-    this->Depth.resize(static_cast<std::size_t>(viewport[2]) * viewport[3]);
+    const std::size_t size = static_cast<std::size_t>(viewport[2]) * viewport[3];
+    this->ClearDepth(size, 0, size);
     this->Tiles.Begin(viewport[2], viewport[3]);
     this->HasDepth = true;
   }
@@ -275,10 +270,6 @@ const float* vtkNBufferBackend::GetDepth(
   {
     this->HasDepth = ReadBack(this->FarthestTexture, job, unread, this->Depth.data(), why) ==
       vtkNBufferDecision::None;
-    for (std::size_t i = 0; i < unread.size() && this->HasDepth && this->IsMerged; ++i)
-    {
-      this->MergePixels(job.Levels, unread[i]);
-    }
   }
   return this->HasDepth ? this->Depth.data() : nullptr;
 }
@@ -307,7 +298,7 @@ vtkNBufferDecision vtkNBufferBackend::BuildOnHost(const Job& job, std::string& w
   this->HasDepth = true;
   const vtkNBufferClock clock;
   job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
-    job.Factor, vtkNBufferExtremum::Maximum);
+    job.Factor, vtkNBufferExtremum::Maximum, job.Rows);
   job.Levels.BuildLevels(job.NumberOfLevels);
   job.Statistics.BuildTime += clock.GetMilliseconds();
   return vtkNBufferDecision::None;

@@ -6,10 +6,10 @@
  * host memory.
  *
  * There are two paths, which build the same levels, to the bit. On the OpenGL path, a fragment pass
- * reduces the depth to level 0, which is then read back. On the CPU path, the whole depth is read
- * back, and the host reduces it. On both paths the host builds the other levels: together they are
- * 8 to 10 times as large as level 0, so that reading them back would take longer than building
- * them.
+ * reduces the depth to level 0, which is then read back. On the CPU path, all rows of depth in
+ * which anything may have been drawn are read back, and the host reduces them. On both paths the
+ * host builds the other levels: together they are 8 to 10 times as large as level 0, so that
+ * reading them back would take longer than building them.
  *
  * Which path is faster depends on the machine. Software renderers reduce on the same processor, and
  * slower than the host does (docs/benchmarks.md), so Auto chooses the CPU there without a trial.
@@ -53,8 +53,10 @@ public:
   {
     vtkOpenGLRenderWindow* Window;
     const vtkNBufferDepthSource& Source; ///< The framebuffer that is bound for drawing.
-    int Factor;                          ///< Side in pixels of a square of level 0: 1, 2, 4 or 8.
-    int NumberOfLevels;                  ///< How many levels the test needs.
+    /// Those of the viewport. The CPU path reads no others: their pixels count as background.
+    const vtkNBufferRows& Rows;
+    int Factor;         ///< Side in pixels of a square of level 0: 1, 2, 4 or 8.
+    int NumberOfLevels; ///< How many levels the test needs.
     vtkNBufferLevels& Levels;
     vtkNBufferStatistics& Statistics; ///< Counts and times are added.
   };
@@ -71,8 +73,8 @@ public:
   /**
    * To be called after Build(), to add depth that other ranks have drawn. merge(levels) replaces
    * texels of level 0 by nearer depth where the final picture has nearer depth; it returns whether
-   * it replaced any. The other levels of `job` are then built from level 0. If texels were
-   * replaced, GetDepth() returns an image in which no pixel is farther than its texel of level 0.
+   * it replaced any. The other levels of `job` are then built from level 0. GetDepth() still
+   * returns the depth that this rank has drawn.
    */
   void Merge(const std::function<bool(vtkNBufferLevels&)>& merge, const Job& job);
 
@@ -126,12 +128,12 @@ private:
   vtkNBufferDecision BuildOnDevice(const Job& job, std::string& why);
   vtkNBufferDecision BuildOnHost(const Job& job, std::string& why);
   vtkNBufferDecision ReadDepth(const Job& job, std::string& why);
+  /// Give the depth image this many pixels. Those from `first` to `end` will be read, and what was
+  /// read of others becomes background.
+  void ClearDepth(std::size_t size, std::size_t first, std::size_t end);
   /// Let the device reduce the depth to level 0 of `texture`, and build the levels above it.
   static vtkNBufferDecision Reduce(
     vtkNBufferTexture* texture, const Job& job, int factor, std::string& why, int levels = 1);
-  /// Replace each pixel of a rectangle of the depth image that is farther than its texel of level 0
-  /// by this texel.
-  void MergePixels(const vtkNBufferLevels& levels, const vtkNBufferRectangle& pixels);
   /// Read rectangles of level 0 of `texture` back to their places in `base`, as orders.
   static vtkNBufferDecision ReadBack(vtkNBufferTexture* texture, const Job& job,
     const std::vector<vtkNBufferRectangle>& rectangles, float* base, std::string& why);
@@ -141,8 +143,10 @@ private:
   vtkNew<vtkNBufferTexture> FarthestTexture;
   ///@{
   /// The depth image. With the OpenGL path only the tiles that were read since the last Build() are
-  /// defined.
+  /// defined. All pixels before FirstRead and from EndRead on are background.
   std::vector<float> Depth;
+  std::size_t FirstRead = 0;
+  std::size_t EndRead = 0;
   bool HasDepth = false;
   bool IsMerged = false; ///< Whether Merge() has made level 0 nearer.
   vtkNBufferDepthTiles Tiles;

@@ -280,6 +280,17 @@ bool vtkNBufferDepthSource::Read(vtkOpenGLRenderWindow* window, int x, int y, in
   {
     return false;
   }
+  depth.resize(static_cast<std::size_t>(width) * height);
+  return this->Read(window, x, y, width, height, depth.data(), why, rounding);
+}
+
+bool vtkNBufferDepthSource::Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
+  float* depth, std::string& why, vtkNBufferExtremum rounding) const
+{
+  if (!this->Holds(x, y, width, height, why))
+  {
+    return false;
+  }
   if (!window)
   {
     why = "There is no render window. Pass the one that is drawn.";
@@ -291,14 +302,12 @@ bool vtkNBufferDepthSource::Read(vtkOpenGLRenderWindow* window, int x, int y, in
           "(vtkNBufferTexture) or call SetMultiSamples(0) on the render window.";
     return false;
   }
-  const std::size_t count = static_cast<std::size_t>(width) * height;
-  depth.resize(count);
   const bool integers = !this->FloatDepth && (this->DepthBits == 24 || this->DepthBits == 32);
   vtkNBufferGL::ClearErrors();
   {
     vtkNBufferGL::ScopedReadback readback(this->Framebuffer);
     glReadPixels(
-      x, y, width, height, GL_DEPTH_COMPONENT, integers ? GL_UNSIGNED_INT : GL_FLOAT, depth.data());
+      x, y, width, height, GL_DEPTH_COMPONENT, integers ? GL_UNSIGNED_INT : GL_FLOAT, depth);
   }
   if (!vtkNBufferGL::CheckErrors("Reading the depth buffer", why))
   {
@@ -306,7 +315,7 @@ bool vtkNBufferDepthSource::Read(vtkOpenGLRenderWindow* window, int x, int y, in
   }
   if (integers)
   {
-    ConvertNormalised(depth.data(), count, this->DepthBits, rounding);
+    ConvertNormalised(depth, static_cast<std::size_t>(width) * height, this->DepthBits, rounding);
   }
   return true;
 }

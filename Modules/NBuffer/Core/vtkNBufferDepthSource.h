@@ -124,6 +124,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   bool Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
     std::vector<float>& depth, std::string& why,
     vtkNBufferExtremum rounding = vtkNBufferExtremum::Maximum) const;
+  /// The same into memory that has room for the rectangle.
+  bool Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height, float* depth,
+    std::string& why, vtkNBufferExtremum rounding = vtkNBufferExtremum::Maximum) const;
 };
 
 VTK_ABI_NAMESPACE_END

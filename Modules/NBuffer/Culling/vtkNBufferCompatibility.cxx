@@ -177,6 +177,12 @@ void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vtkCuller* self)
   }
 }
 
+bool ErasesDepth(vtkRenderer* renderer)
+{
+  return renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
+    !renderer->GetPreserveDepthBuffer();
+}
+
 bool ProcessesImage(vtkRenderer* renderer)
 {
   return renderer->GetUseFXAA() || renderer->GetUseSSAO();

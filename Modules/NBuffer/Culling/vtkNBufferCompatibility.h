@@ -56,6 +56,9 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateLi
   const vtkNBufferViewKey& key, vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source,
   std::string& why);
 
+/// Whether the renderer erases depth before it draws its props.
+bool ErasesDepth(vtkRenderer* renderer);
+
 /// Whether the renderer processes the image (FXAA, SSAO) after it has drawn its props. This also
 /// changes what renderers of lower layers have drawn. VTK does it if the renderer's list of props
 /// is not empty, even if these props draw nothing.

@@ -3,6 +3,7 @@
 #include "vtkNBufferDepthTest.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferCompatibility.h"
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferOcclusionTest.h"
@@ -11,6 +12,7 @@
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,12 +75,45 @@ vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferL
 {
 }
 
-vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
+void vtkNBufferDepthTest::FindDrawnRows(vtkRenderer* renderer)
+{
+  const int height = this->Source.Viewport[3];
+  this->Rows.Begin = 0;
+  this->Rows.End = height;
+  if (!vtkNBufferCompatibility::ErasesDepth(renderer))
+  {
+    return;
+  }
+  int first = height;
+  int end = 0;
+  for (int i = 0; i < this->Props.GetSize() && (first > 0 || end < height); ++i)
+  {
+    const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
+    if (verdict == vtkNBufferVerdict::Outside || verdict == vtkNBufferVerdict::Unknown ||
+      verdict == vtkNBufferVerdict::Hidden || verdict == vtkNBufferVerdict::Translucent)
+    {
+      continue;
+    }
+    const vtkNBufferScreenBox* screen =
+      verdict == vtkNBufferVerdict::Visible ? this->GetScreen(i) : nullptr;
+    if (!screen)
+    {
+      return;
+    }
+    first = std::min(first, screen->Pixels.Y0);
+    end = std::max(end, screen->Pixels.Y1);
+  }
+  this->Rows.Begin = std::clamp(first, 0, height);
+  this->Rows.End = std::clamp(end, this->Rows.Begin, height);
+}
+
+vtkNBufferDecision vtkNBufferDepthTest::Build(vtkRenderer* renderer,
   const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
   int levels, const std::function<int()>& countHiddenUnits, std::string& why)
 {
-  this->Window = window;
+  this->Window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Source = source;
+  this->FindDrawnRows(renderer);
   this->SampleDistance = source.Places.GetDistanceFromMiddle();
   for (const std::vector<int>* list : places)
   {
@@ -99,7 +134,7 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   // VTK's compositors do not know reversed depth.
   const bool isShared = this->Settings.Shared && source.Samples <= 1 &&
     source.Stored == vtkNBufferStoredDepth::Ordinary &&
-    source.Framebuffer == window->GetRenderFramebuffer()->GetFBOIndex();
+    source.Framebuffer == this->Window->GetRenderFramebuffer()->GetFBOIndex();
   const bool isTrial = isShared && this->Settings.Shared->IsTrial();
   const vtkNBufferDecision failure = this->Backend.Build(
     this->Settings.Backend, this->GetJob(isShared && !isTrial ? 1 : levels), why);
@@ -136,7 +171,7 @@ int vtkNBufferDepthTest::CountHidden(std::initializer_list<const std::vector<int
   for (const std::vector<int>* list : places)
   {
     std::vector<int> left = *list;
-    this->RemoveHidden(left);
+    this->RemoveBehind(left);
     hidden += list->size() - left.size();
   }
   this->Statistics = before;
@@ -300,6 +335,13 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
   const bool testsSlivers = this->Settings.TestSlivers && vtkNBufferGL::DrawsStraySamples();
   const std::vector<int> tested = testsSlivers ? places : std::vector<int>();
+  const int passed = this->RemoveBehind(places);
+  this->PutBackSlivers(tested, places);
+  return passed;
+}
+
+int vtkNBufferDepthTest::RemoveBehind(std::vector<int>& places)
+{
   vtkNBufferClock clock;
   vtkNBufferOcclusionTest test(this->Levels, this->SampleDistance);
   this->Props.MarkHidden(test);
@@ -343,7 +385,6 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     this->Statistics.Lookups += pixelTest.GetLookups();
     this->Statistics.PixelTestTime += clock.GetMilliseconds();
   }
-  this->PutBackSlivers(tested, places);
   return passed;
 }
 VTK_ABI_NAMESPACE_END

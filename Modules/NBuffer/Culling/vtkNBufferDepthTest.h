@@ -40,6 +40,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferSharedDepth;
 class vtkOpenGLRenderWindow;
+class vtkRenderer;
 
 /// The settings of vtkNBufferCuller with the same names and its tuning, as they are when a frame
 /// begins. vtkNBufferCuller sets all of them; their defaults stand there.
@@ -81,7 +82,7 @@ public:
    * trial (vtkNBufferExchangePlan). Returns None, or a failure with its cause and remedy in `why`,
    * as vtkNBufferBackend::Build() does.
    */
-  vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+  vtkNBufferDecision Build(vtkRenderer* renderer, const vtkNBufferDepthSource& source,
     std::initializer_list<const std::vector<int>*> places, int levels,
     const std::function<int()>& countHiddenUnits, std::string& why);
 
@@ -101,10 +102,15 @@ private:
   /// What the back-end builds and reads, with this many levels.
   vtkNBufferBackend::Job GetJob(int levels)
   {
-    return { this->Window, this->Source, this->Settings.BaseFactor, levels, this->Levels,
-      this->Statistics };
+    return { this->Window, this->Source, this->Rows, this->Settings.BaseFactor, levels,
+      this->Levels, this->Statistics };
   }
-  /// How many candidates of all lists RemoveHidden() finds hidden. The statistics count only the
+  /// Find the rows in which props have been drawn so far, by their boxes. Where anything else may
+  /// have been drawn these are all rows.
+  void FindDrawnRows(vtkRenderer* renderer);
+  /// The steps 1 and 2 of RemoveHidden().
+  int RemoveBehind(std::vector<int>& places);
+  /// How many candidates of all lists RemoveBehind() finds hidden. The statistics count only the
   /// time that this takes.
   int CountHidden(std::initializer_list<const std::vector<int>*> places);
   /// The depth image, with at least the pixels of these candidates, or nullptr if it is not worth
@@ -136,6 +142,7 @@ private:
   const vtkNBufferSettings& Settings;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferDepthSource Source;
+  vtkNBufferRows Rows;         ///< Those in which anything has been drawn.
   double SampleDistance = 0.5; ///< How far from the middle of a pixel a sample may be.
 };
 

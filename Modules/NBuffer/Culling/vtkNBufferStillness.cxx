@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferStillness.h"
 
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -18,7 +15,6 @@ bool vtkNBufferStillness::BeginFrame(
   changed = changed || !(this->Drawing == drawing) || this->TestSlivers != slivers ||
     this->IsShared != wasShared || this->ChangedWhileFrozen;
   this->ChangedWhileFrozen = frozen && changed;
-  return !changed && renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
-    !renderer->GetPreserveDepthBuffer();
+  return !changed && vtkNBufferCompatibility::ErasesDepth(renderer);
 }
 VTK_ABI_NAMESPACE_END

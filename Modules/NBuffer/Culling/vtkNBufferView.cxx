@@ -328,12 +328,11 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   }
   const int levels = this->Division.GetLevelsNeeded(
     this->Projection.GetWidth(), this->Projection.GetHeight(), this->Settings.BaseFactor);
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   for (;;)
   {
     std::string why;
     const vtkNBufferDecision failure = test.Build(
-      window, this->Tested,
+      renderer, this->Tested,
       { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, levels,
       [this]() { return this->Division.CountHidden(this->Levels); }, why);
     if (failure != vtkNBufferDecision::None)
