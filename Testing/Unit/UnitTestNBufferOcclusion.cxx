@@ -351,39 +351,7 @@ TEST_P(NBufferOcclusionOfDepths, ANearWallHidesAllBehindIt)
   EXPECT_GT(tested, 50);
 }
 
-// Hazard: in a parallel program the own pixel counts where another rank has drawn nearer depth, or
-// the depth of other ranks counts in another texel.
-TEST_P(NBufferOcclusionOfDepths, OfAPixelAndItsTexelTheNearerOneCounts)
-{
-  int opened = 0;
-  ForEachBoxOfViews(38, 300, this->GetParam(),
-    [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
-    {
-      scene.Fill(NBufferStudy::GetBackgroundOrder(scene.Depths));
-      const auto near = static_cast<float>(scene.Eye.ToOrder(0.001, scene.Depths));
-      float* texels = scene.Levels.GetLevelData(0);
-      std::fill_n(
-        texels, static_cast<std::size_t>(scene.Levels.GetWidth()) * scene.Levels.GetHeight(), near);
-      for (const auto& point : sampler.MakePoints(box.Bounds, 20))
-      {
-        const auto drawn = ProjectExactly(scene.Eye, point, scene.Depths);
-        if (drawn && box.Screen.Nearest > scene.Eye.ToOrder(0.002, scene.Depths))
-        {
-          EXPECT_TRUE(scene.IsHiddenByPixels(box));
-          const int x = std::min(static_cast<int>(drawn->x), scene.Eye.Width - 1);
-          const int y = std::min(static_cast<int>(drawn->y), scene.Eye.Height - 1);
-          texels[y / 4 * scene.Levels.GetWidth() + x / 4] =
-            std::nextafter(static_cast<float>(drawn->z), 2.0f);
-          EXPECT_FALSE(scene.IsHiddenByPixels(box));
-          ++opened;
-          return;
-        }
-      }
-    });
-  EXPECT_GT(opened, 50);
-}
-
-// Hazard: a visible pixel anywhere in the outline must keep the box.
+// Hazard: a visible pixel anywhere in the outline must keep the box. Texels may be nearer (ranks).
 TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
 {
   int opened = 0;
@@ -400,6 +368,11 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
           scene.Build(4);
           EXPECT_FALSE(scene.IsHidden(box));
           EXPECT_FALSE(scene.IsHiddenByPixels(box));
+          std::fill(scene.Depth.begin(), scene.Depth.end(), 2.0f);
+          EXPECT_FALSE(scene.IsHiddenByPixels(box));
+          vtkNBufferLevels& levels = scene.Levels;
+          std::fill_n(levels.GetLevelData(0), levels.GetWidth() * levels.GetHeight(), -9.0f);
+          EXPECT_TRUE(scene.IsHiddenByPixels(box));
           ++opened;
           return;
         }
