@@ -56,7 +56,6 @@ struct Scene
     std::fill(this->Depth.begin(), this->Depth.end(), static_cast<float>(depth));
     this->Build(factor);
   }
-
   bool IsHidden(const ProjectedBox& box, double sampleDistance = 0.5) const
   {
     return vtkNBufferOcclusionTest(this->Levels, sampleDistance).IsHidden(box.Screen);
