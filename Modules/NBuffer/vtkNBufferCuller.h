@@ -102,7 +102,7 @@ public:
   {
     Auto,   ///< Chosen once per graphics context; see GetBackendInUse().
     OpenGL, ///< From a depth image that the device reduces before it is read back.
-    CPU     ///< From the whole depth image, which is read back.
+    CPU     ///< From the depth image, which is read back.
   };
 
   ///@{
