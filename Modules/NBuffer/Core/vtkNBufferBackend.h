@@ -53,7 +53,8 @@ public:
   {
     vtkOpenGLRenderWindow* Window;
     const vtkNBufferDepthSource& Source; ///< The framebuffer that is bound for drawing.
-    /// Those of the viewport. The CPU path reads no others: their pixels count as background.
+    /// The rows of the viewport in which anything may have been drawn. The CPU path reads no
+    /// others: their pixels count as background.
     const vtkNBufferRows& Rows;
     int Factor;         ///< Side in pixels of a square of level 0: 1, 2, 4 or 8.
     int NumberOfLevels; ///< How many levels the test needs.
@@ -82,7 +83,7 @@ public:
    * The depth image from which Build() made the levels of `job`: the order of the farthest sample
    * of each pixel of the viewport, row by row, the lowest row first; or nullptr if it cannot be
    * read. Only the pixels in `rectangles`, here and in earlier calls since Build(), are defined.
-   * The CPU path has the whole image already. The OpenGL path reads the tiles that it has not read
+   * The CPU path has all of it already. The OpenGL path reads the tiles that it has not read
    * yet (vtkNBufferDepthTiles), so nothing may have been drawn since Build().
    */
   const float* GetDepth(const Job& job, const std::vector<vtkNBufferRectangle>& rectangles);
