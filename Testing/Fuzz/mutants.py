@@ -194,13 +194,15 @@ MUTANTS = {
          "return projection.GetContact(a.Box, a.Screen, b.Box, b.Screen);",
          "return a.Screen.Pixels.X0 < b.Screen.Pixels.X0\n"
          "    ? projection.GetContact(a.Box, a.Screen, b.Box, b.Screen)\n"
-         "    : vtkNBufferRectangle();")],
+         "    : vtkNBufferContact();")],
     "what is drawn again is drawn outside of its regions, too": [
         ("vtkNBufferScissor.h", "scissor.Set(region);", "")],
     "regions in which props touch one column short": [
-        (PROJECTION, "return pixels.GetIntersection(sharedScreen.Pixels);",
-         "sharedScreen.Pixels = pixels.GetIntersection(sharedScreen.Pixels);\n"
-         "      --sharedScreen.Pixels.X1;\n      return sharedScreen.Pixels;")],
+        (PROJECTION, "contact.Screen.Pixels = cut(screen.Pixels, sharedScreen.Pixels);",
+         "contact.Screen.Pixels = cut(screen.Pixels, sharedScreen.Pixels);\n"
+         "    --contact.Screen.Pixels.X1;")],
+    "equal depths thought hidden where only their farthest place is": [
+        (PROJECTION, "sharedScreen.Nearest - error", "sharedScreen.Farthest")],
     "representations of a shared mapper not compared": [
         ("vtkNBufferSharedState.cxx",
          "  Combine(way, static_cast<std::size_t>(property->GetRepresentation()));\n"

@@ -261,13 +261,14 @@ TEST(NBufferProjectionOnce, MarginWidensTheRectangle)
     });
 }
 
-// Hazard: two props tie in a pixel in which they are said not to touch.
+// Hazard: two props tie in a pixel in which they are said not to touch, or nearer than it is said.
 TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
 {
   ViewSampler sampler(11);
   int apart = 0;
   int smaller = 0;
   int met = 0;
+  int farther = 0;
   for (int n = 0; n < 6000; ++n)
   {
     const View view = sampler.MakeView(0.0, n % 2 == 0);
@@ -291,14 +292,18 @@ TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
     {
       continue;
     }
-    const vtkNBufferRectangle contact =
-      projection.GetContact(boxA.Box, boxA.Screen, boxB.Box, boxB.Screen);
+    const vtkNBufferScreenBox shared =
+      projection.GetContact(boxA.Box, boxA.Screen, boxB.Box, boxB.Screen).Screen;
+    const vtkNBufferRectangle& contact = shared.Pixels;
+    const double nearest = shared.Nearest;
     const bool touch = !contact.IsEmpty();
     const vtkNBufferRectangle both = boxA.Screen.Pixels.GetIntersection(boxB.Screen.Pixels);
     ASSERT_TRUE(!touch || IsIn(contact, both));
     smaller +=
       touch && contact.GetWidth() * contact.GetHeight() < both.GetWidth() * both.GetHeight();
     apart += !touch;
+    farther += touch && nearest > std::max(boxA.Screen.Nearest, boxB.Screen.Nearest);
+    ASSERT_TRUE(!touch || nearest >= std::max(boxA.Screen.Nearest, boxB.Screen.Nearest));
     SCOPED_TRACE(GetText(view, a) + " and " + GetText(view, b));
     const vtkNBufferRectangle& r = boxA.Screen.Pixels;
     for (int i = 0; i < 50; ++i)
@@ -314,11 +319,18 @@ TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
         ASSERT_TRUE((*depthsA)[1] < (*depthsB)[0] || (*depthsB)[1] < (*depthsA)[0])
           << testing::PrintToString(*depthsA) << " and " << testing::PrintToString(*depthsB);
       }
+      if (inContact && depthsA && depthsB && this->GetParam() == DepthConvention::Forward)
+      {
+        // The rays of a depth buffer have these depths as orders.
+        const double first = std::max((*depthsA)[0], (*depthsB)[0]);
+        ASSERT_TRUE(first > std::min((*depthsA)[1], (*depthsB)[1]) || first >= nearest);
+      }
     }
   }
   EXPECT_GT(apart, 50);
   EXPECT_GT(smaller, 50);
   EXPECT_GT(met, 100);
+  EXPECT_GT(farther, 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, NBufferProjectionOfDepths, testing::ValuesIn(DepthConventions),

@@ -340,6 +340,18 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   return passed;
 }
 
+bool vtkNBufferDepthTest::IsHidden(const vtkNBufferContact& contact)
+{
+  if (vtkNBufferOcclusionTest(this->Levels, this->SampleDistance).IsHidden(contact.Screen))
+  {
+    return true;
+  }
+  const float* depth = this->GetDepthOfUnits().Pixels;
+  return depth &&
+    vtkNBufferPixelTest(this->Projection, this->Levels, depth, this->SampleDistance)
+      .IsHidden(contact.Box, contact.Screen);
+}
+
 int vtkNBufferDepthTest::RemoveBehind(std::vector<int>& places)
 {
   vtkNBufferClock clock;

@@ -98,6 +98,10 @@ public:
   /// alone did not find hidden. Nothing may have been drawn since Build().
   int RemoveHidden(std::vector<int>& places);
 
+  /// Whether nothing can be seen of what two props have in common, by the depth of the last
+  /// Build(). More may have been drawn since.
+  bool IsHidden(const vtkNBufferContact& contact);
+
 private:
   /// What the back-end builds and reads, with this many levels.
   vtkNBufferBackend::Job GetJob(int levels)

@@ -4,6 +4,7 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDeferredProxy.h"
+#include "vtkNBufferDepthTest.h"
 #include "vtkNBufferDivision.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferPartition.h"
@@ -12,6 +13,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -114,7 +116,7 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
 
 int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer,
   const vtkNBufferPartition& partition, bool screensAreValid, int samples,
-  vtkInformation* requiredKeys)
+  vtkNBufferDepthTest* test, vtkInformation* requiredKeys)
 {
   if (this->Drawn.empty())
   {
@@ -122,9 +124,14 @@ int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer,
   }
   std::vector<vtkNBufferDrawnProp> all =
     this->GetAllDrawn(partition, screensAreValid, requiredKeys);
+  std::function<bool(const vtkNBufferContact&)> isHidden;
+  if (test)
+  {
+    isHidden = [test](const vtkNBufferContact& tie) { return test->IsHidden(tie); };
+  }
   int draws = 0;
-  for (const vtkNBufferRedraw& redraw :
-    vtkNBufferTieOrder::GetRedraws(this->Projection, all, vtkNBufferGL::KeepsToScissor(samples)))
+  for (const vtkNBufferRedraw& redraw : vtkNBufferTieOrder::GetRedraws(
+         this->Projection, all, vtkNBufferGL::KeepsToScissor(samples), isHidden))
   {
     // Render passes have set their keys only on the props of the list: neither on those that were
     // held back nor on translucent props, which have a proxy in the list.

@@ -19,6 +19,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
 class vtkNBufferCandidateList;
 class vtkNBufferDeferredProxy;
+class vtkNBufferDepthTest;
 class vtkNBufferPartition;
 class vtkNBufferDivision;
 class vtkNBufferProjection;
@@ -57,11 +58,13 @@ public:
    * `partition` is that of this frame. `samples` is the number of samples of a pixel, as in
    * vtkNBufferDepthSource. `screensAreValid` is false if the frame is drawn from another view than
    * that of Cull(), so that the rectangles of the props are wrong and any two props may have equal
-   * depths. If `requiredKeys` is not nullptr, only props that have these keys are drawn (see
+   * depths. `test` knows the depth of a part of the draws of this frame, or is nullptr. If
+   * `requiredKeys` is not nullptr, only props that have these keys are drawn (see
    * vtkProp::HasKeys). Returns the number of draws.
    */
   int RestoreTieOrder(vtkRenderer* renderer, const vtkNBufferPartition& partition,
-    bool screensAreValid, int samples, vtkInformation* requiredKeys = nullptr);
+    bool screensAreValid, int samples, vtkNBufferDepthTest* test,
+    vtkInformation* requiredKeys = nullptr);
 
   /// Get the draws of this frame, in the order of drawing.
   const std::vector<vtkNBufferDrawnProp>& Get() const { return this->Drawn; }

@@ -211,10 +211,12 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   this->Tested = source;
   this->KeptInVain = 0;
   int drawn = 0;
-  const bool tested = this->DrawRounds(renderer, drawn);
+  vtkNBufferDepthTest test(
+    *this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
+  const bool tested = this->DrawRounds(renderer, test, drawn);
   const vtkNBufferClock clock;
-  this->Statistics.Redrawn +=
-    this->Draws.RestoreTieOrder(renderer, this->Partition, true, this->Tested.Samples);
+  this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
+    renderer, this->Partition, true, this->Tested.Samples, tested ? &test : nullptr);
   this->Statistics.TieQueries = this->Draws.GetTieQueries();
   this->Statistics.DrawTime += clock.GetMilliseconds();
   // When rendering is aborted mappers return early, so that depth and verdicts are not complete.
@@ -245,7 +247,7 @@ int vtkNBufferView::Repeat(vtkRenderer* renderer)
   // The statistics count only the draws of the first time.
   const vtkNBufferClock clock;
   const int drawn = this->Draws.Repeat(renderer, this->Partition.GetHeldBack());
-  this->Draws.RestoreTieOrder(renderer, this->Partition, true, this->Tested.Samples);
+  this->Draws.RestoreTieOrder(renderer, this->Partition, true, this->Tested.Samples, nullptr);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
@@ -298,7 +300,7 @@ void vtkNBufferView::TestTranslucent(vtkNBufferDepthTest& test)
   this->Division.TestTranslucent(test.GetDepthOfUnits(), hasDrawn, hide);
 }
 
-bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
+bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test, int& drawn)
 {
   int round = 1;
   std::vector<int> left = this->Partition.GetHeldBack();
@@ -318,8 +320,6 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
 
   const auto first = vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
   const bool isNew = this->Partition.IsNew(this->Settings.Shared != nullptr);
-  vtkNBufferDepthTest test(
-    *this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
   test.SetCounts(this->Partition.GetSize() + this->Division.CountInView(),
     isNew ? static_cast<int>(left.size()) : 0);
   if (isNew)
@@ -424,7 +424,7 @@ int vtkNBufferView::DrawAll(
   // In another view the boxes cover other pixels, and without a depth test the prop that is drawn
   // last wins at any depth.
   this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
-    renderer, this->Partition, false, this->Tested.Samples, requiredKeys);
+    renderer, this->Partition, false, this->Tested.Samples, nullptr, requiredKeys);
   this->Statistics.Decision = reason;
   this->State = Phase::Incomplete;
   this->Props.CountVerdicts(this->Statistics);

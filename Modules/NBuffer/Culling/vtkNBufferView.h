@@ -115,7 +115,7 @@ private:
   /// The parts of DrawHeldProps().
   vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
   int TestAndDraw(vtkRenderer* renderer);
-  bool DrawRounds(vtkRenderer* renderer, int& drawn);
+  bool DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test, int& drawn);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
   void TestFirst(vtkNBufferDepthTest& test, std::vector<int>& left);
   void TestTranslucent(vtkNBufferDepthTest& test);

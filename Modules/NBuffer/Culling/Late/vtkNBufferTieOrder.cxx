@@ -141,16 +141,18 @@ bool Covers(const std::vector<vtkNBufferRectangle>& regions, const vtkNBufferRec
 
 namespace vtkNBufferTieOrder
 {
-vtkNBufferRectangle GetTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
+vtkNBufferContact GetTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
   const vtkNBufferDrawnProp& b)
 {
   if (!a.Bounded && !b.Bounded)
   {
-    return { 0, 0, projection.GetWidth(), projection.GetHeight() };
+    vtkNBufferContact anywhere;
+    anywhere.Screen.Pixels = { 0, 0, projection.GetWidth(), projection.GetHeight() };
+    return anywhere;
   }
   if (!a.Bounded || !b.Bounded)
   {
-    return a.Bounded ? a.Screen.Pixels : b.Screen.Pixels;
+    return a.Bounded ? vtkNBufferContact{ a.Box, a.Screen } : vtkNBufferContact{ b.Box, b.Screen };
   }
   if (a.Screen.Nearest > b.Screen.Farthest || b.Screen.Nearest > a.Screen.Farthest)
   {
@@ -159,8 +161,9 @@ vtkNBufferRectangle GetTie(const vtkNBufferProjection& projection, const vtkNBuf
   return projection.GetContact(a.Box, a.Screen, b.Box, b.Screen);
 }
 
-std::vector<vtkNBufferRedraw> GetRedraws(
-  const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn, bool inRegions)
+std::vector<vtkNBufferRedraw> GetRedraws(const vtkNBufferProjection& projection,
+  std::vector<vtkNBufferDrawnProp>& drawn, bool inRegions,
+  const std::function<bool(const vtkNBufferContact&)>& isHidden)
 {
   std::sort(drawn.begin(), drawn.end(),
     [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
@@ -195,11 +198,15 @@ std::vector<vtkNBufferRedraw> GetRedraws(
           {
             return;
           }
-          const vtkNBufferRectangle tie =
-            GetTie(projection, drawn[other.Position], part).GetIntersection(shared);
-          if (!tie.IsEmpty())
+          const vtkNBufferDrawnProp& earlier = drawn[other.Position];
+          vtkNBufferContact tie = GetTie(projection, earlier, part);
+          vtkNBufferScreenBox& screen = tie.Screen;
+          screen.Pixels = screen.Pixels.GetIntersection(shared);
+          screen.Middles = screen.Middles.GetIntersection(shared);
+          const bool canTest = isHidden && (earlier.Bounded || part.Bounded);
+          if (!screen.Pixels.IsEmpty() && !(canTest && isHidden(tie)))
           {
-            AddRegion(redraw.Regions, isWhole ? viewport : tie);
+            AddRegion(redraw.Regions, isWhole ? viewport : screen.Pixels);
           }
         });
       if (part.Round > 0 && part.MayTie)

@@ -29,6 +29,9 @@
  *     after test:    A
  *     whole:           B C D E
  *     in rectangles:   b                 The part of B that touches A does not reach C.
+ *
+ * A tie does not matter where it lies behind what has been drawn: most parts of a machine touch
+ * inside of it.
  */
 #ifndef vtkNBufferTieOrder_h
 #define vtkNBufferTieOrder_h
@@ -36,6 +39,7 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
 
+#include <functional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -75,19 +79,21 @@ struct vtkNBufferRedraw
 
 namespace vtkNBufferTieOrder
 {
-/// The pixels in which two props may have fragments of equal depth; empty if there are none.
-VTKNBUFFER_EXPORT vtkNBufferRectangle GetTie(const vtkNBufferProjection& projection,
+/// Where two props may have fragments of equal depth.
+VTKNBUFFER_EXPORT vtkNBufferContact GetTie(const vtkNBufferProjection& projection,
   const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b);
 
 /**
  * The props to draw once more, in the order in which to draw them. `drawn` are all props that were
  * drawn and may tie; the function sorts them by Index. If `inRegions` is true, props are redrawn
  * inside rectangles only, which needs a driver that never draws a sample outside the scissor box;
- * otherwise they are redrawn whole. The time for each prop depends on how many props in the same
- * part of the screen were drawn late (Round > 0) or are drawn again.
+ * otherwise they are redrawn whole. Ties of which `isHidden` says that nothing of them can be seen
+ * do not count. The time for each prop depends on how many props in the same part of the screen
+ * were drawn late (Round > 0) or are drawn again.
  */
-VTKNBUFFER_EXPORT std::vector<vtkNBufferRedraw> GetRedraws(
-  const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn, bool inRegions);
+VTKNBUFFER_EXPORT std::vector<vtkNBufferRedraw> GetRedraws(const vtkNBufferProjection& projection,
+  std::vector<vtkNBufferDrawnProp>& drawn, bool inRegions,
+  const std::function<bool(const vtkNBufferContact&)>& isHidden = {});
 }
 
 VTK_ABI_NAMESPACE_END

@@ -311,7 +311,7 @@ vtkNBufferProjection::Rows vtkNBufferProjection::GetWindowMatrix(const glm::dmat
     format.Scale * clip[2] + format.Offset * clip[3], clip[3] };
 }
 
-vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
+vtkNBufferContact vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
   const vtkNBufferScreenBox& screen, const vtkNBufferBox& other,
   const vtkNBufferScreenBox& otherScreen) const
 {
@@ -340,18 +340,32 @@ vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
     shared.Center[j] = 0.5 * (range[0] + range[1]);
     shared.HalfSize[j] = 0.5 * (range[1] - range[0]);
   }
-  const vtkNBufferRectangle pixels = screen.Pixels.GetIntersection(otherScreen.Pixels);
+  vtkNBufferContact contact = { box, screen };
   vtkNBufferScreenBox sharedScreen;
-  switch (this->Project(shared, sharedScreen))
+  const vtkNBufferPlacement placement = this->Project(shared, sharedScreen);
+  if (placement == vtkNBufferPlacement::Outside)
   {
-    case vtkNBufferPlacement::Outside:
-      return {};
-    case vtkNBufferPlacement::Crossing:
-      break;
-    case vtkNBufferPlacement::Inside:
-      return pixels.GetIntersection(sharedScreen.Pixels);
+    return {};
   }
-  return pixels;
+  if (placement == vtkNBufferPlacement::Inside)
+  {
+    // The fragments of this box are drawn with its errors. Its border may be wider by less than one
+    // pixel.
+    const int wider = screen.Border > sharedScreen.Border ? 1 : 0;
+    const auto cut = [wider](const vtkNBufferRectangle& pixels, const vtkNBufferRectangle& to) {
+      return pixels.GetIntersection({ to.X0 - wider, to.Y0 - wider, to.X1 + wider, to.Y1 + wider });
+    };
+    const double error = this->Error.GetFormat().Scale * screen.Slack.z;
+    contact = { shared, sharedScreen };
+    contact.Screen.Pixels = cut(screen.Pixels, sharedScreen.Pixels);
+    contact.Screen.Middles = cut(screen.Middles, sharedScreen.Middles);
+    contact.Screen.Nearest = std::max(screen.Nearest, sharedScreen.Nearest - error);
+    contact.Screen.Slack = screen.Slack;
+  }
+  contact.Screen.Pixels = contact.Screen.Pixels.GetIntersection(otherScreen.Pixels);
+  contact.Screen.Middles = contact.Screen.Middles.GetIntersection(otherScreen.Middles);
+  contact.Screen.Nearest = std::max(contact.Screen.Nearest, otherScreen.Nearest);
+  return contact;
 }
 
 std::optional<vtkNBufferProjection::FacePlane> vtkNBufferProjection::GetFacePlane(

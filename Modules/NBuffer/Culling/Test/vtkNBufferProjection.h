@@ -110,12 +110,12 @@ public:
   }
 
   /**
-   * The pixels in which two boxes, both Inside, may have fragments of equal depth in one sample;
-   * empty if there are none. Such fragments stand for nearly the same point of the world, which
-   * lies in both boxes except for rounding. The function therefore inflates the other box by the
-   * rounding, cuts it to this one, and projects what the boxes share. (Props side by side in a
-   * street overlap in their rectangles and depth intervals but share nothing; props that touch
-   * share a face.)
+   * Where two boxes, both Inside, may have fragments of equal depth in one sample. Such fragments
+   * stand for nearly the same point of the world, which lies in both boxes except for rounding. The
+   * function therefore inflates the other box by the rounding, cuts it to this one, and projects
+   * what the boxes share. (Props side by side in a street overlap in their rectangles and depth
+   * intervals but share nothing; props that touch share a face.) The result has the slack of this
+   * box, with whose errors its fragments are drawn, so that it can be tested like any box.
    *
    * How far to inflate: let b be the coordinate of a face of the other box on world axis j, and N
    * the clip-to-world matrix. Then L(q) = (N_j - b N_3) q = (p_j - b) / w is linear in the NDC
@@ -125,7 +125,7 @@ public:
    * whose largest w is w_max. The same holds for lower faces, with the opposite sign. To both sides
    * comes the error of L (vtkNBufferClipToWorld.h). Takes about 0.15 us.
    */
-  vtkNBufferRectangle GetContact(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen,
+  vtkNBufferContact GetContact(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen,
     const vtkNBufferBox& other, const vtkNBufferScreenBox& otherScreen) const;
 
   /**

@@ -7,6 +7,7 @@
 #ifndef vtkNBufferScreenBox_h
 #define vtkNBufferScreenBox_h
 
+#include "vtkNBufferBox.h"
 #include "vtkNBufferGLM.h"
 #include "vtkNBufferMath.h"
 
@@ -52,6 +53,14 @@ struct vtkNBufferScreenBox
   {
     return sampleDistance > 0.0 ? this->Pixels : this->Middles;
   }
+};
+
+/// Where two boxes may have fragments of equal depth in one sample. There are none if
+/// Screen.Pixels is empty.
+struct vtkNBufferContact
+{
+  vtkNBufferBox Box;          ///< Contains the places of these fragments of the first box.
+  vtkNBufferScreenBox Screen; ///< Where they are drawn.
 };
 
 VTK_ABI_NAMESPACE_END
