@@ -40,6 +40,7 @@ try:
 except ImportError as error:
     raise SystemExit(f"{__doc__}\nreport.py: {error}") from error
 
+from report_benchmarks import BENCHMARK_TABLES
 from report_depth import DEPTH_TABLES, depths, format_entries, wrong_percent
 from report_device import DEVICE_TABLES
 from report_shadows import SHADOW_TABLES
@@ -52,8 +53,8 @@ from matplotlib import pyplot  # noqa: E402 (the backend has to be chosen first)
 
 DOCUMENTS = ("accuracy.md", "accuracy-depth.md", "accuracy-device.md", "accuracy-levels.md",
              "accuracy-particles.md", "accuracy-scenes.md", "accuracy-settings.md",
-             "accuracy-shadow-maps.md", "accuracy-shadows.md")
-TABLES = {**OTHER_TABLES, **DEPTH_TABLES, **DEVICE_TABLES, **SHADOW_TABLES}
+             "accuracy-shadow-maps.md", "accuracy-shadows.md", "benchmarks.md")
+TABLES = {**BENCHMARK_TABLES, **OTHER_TABLES, **DEPTH_TABLES, **DEVICE_TABLES, **SHADOW_TABLES}
 TABLE = re.compile(r"(<!-- table: ([^\n]*?) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 # Colours of Okabe and Ito, and shapes for readers who do not tell colours apart.
@@ -242,7 +243,7 @@ def other_charts(report, folder):
             shares = np.log1p(pd.DataFrame(entry["shares"]).clip(lower=0))
             axis.imshow(shares, origin="lower", cmap="viridis", vmin=0, vmax=math.log1p(30.0),
                         extent=(1, len(shares) * entry["step"], 1, len(shares) * entry["step"]))
-            axis.set_xlabel(f"{entry['caption']}: {entry['mean_percent']:.3g} %")
+            axis.set_xlabel(f"{entry['caption']}: {number(entry['mean_percent'])} %")
         save(figure, folder / "figure-4.png")
 
 
@@ -285,9 +286,11 @@ def load(files):
     reports = [json.loads(pathlib.Path(file).read_text()) for file in files]
     merged = reports[0]
     for report in reports[1:]:
-        for part in ("shadows", "device", "packed", "rebuild", "early", "maps", "fill", "figure5"):
+        for part in ("benchmarks", "shadows", "device", "packed", "rebuild", "early", "maps", "fill",
+                     "figure5"):
             if report.get(part):
                 merged[part] = report[part]
+        merged.setdefault("recorded", {}).update(report.get("recorded") or {})
         for part, value in (report.get("settings") or {}).items():
             if isinstance(value, list) or part not in merged.get("settings", {}):
                 merged.setdefault("settings", {})[part] = value

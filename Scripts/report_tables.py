@@ -167,17 +167,12 @@ def point_row(place, point):
             1e-6 * point["bytes"], point["loss"]]
 
 
-def machine(report, _=""):
-    if "renderer" not in report:
+def recorded(report, parts):
+    """At which commit, and where, these parts of the study were measured."""
+    found = [(report.get("recorded") or {}).get(part) for part in parts.split()]
+    if None in found:
         raise NotMeasured
-    return (f"{report['renderer']}, VTK {report['vtk']}, {report['size']}, {report['effort']} run, "
-            f"{report['seconds']:.0f} s.\n")
-
-
-def settings_machine(report, _):
-    if "renderer" not in (report.get("settings") or {}):
-        raise NotMeasured
-    return machine(report["settings"])
+    return f"Recorded at {', and '.join(sorted(set(found)))}.\n"
 
 
 def pareto(report, path):
@@ -411,5 +406,5 @@ def few(report, _):
 
 
 OTHER_TABLES = {function.__name__: function for function in (
-    machine, settings_machine, frames, peers, fragments, early, pareto, best, chain, hierarchy,
+    recorded, frames, peers, fragments, early, pareto, best, chain, hierarchy,
     latent, table2, particles, figure4, left_out, known, shadows, setting, few)}

@@ -22,9 +22,12 @@ import subprocess
 import sys
 import time
 
+import study_benchmarks
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PARTS = ("structures", "early", "scenes", "settings", "shadow-settings", "shadows", "maps", "fill")
 FEWER = ("depth", "device")  # Of a part above; only on request.
+BENCHMARKS = "benchmarks"  # Those of docs/benchmarks.md; only on request.
 IMAGES_DIFFER = 2
 
 Effort = collections.namedtuple(
@@ -88,11 +91,21 @@ CULLER_NAMES = "nbuffer:TestPixels=1", "nbuffer:BackOff=1"
 SHADOW_NAMES = "auto:SlabGap=4", "auto:BoxCost=256"
 
 
+def commit():
+    """The last one that changed what is measured, with a + if it has been changed since."""
+    def git(*arguments):
+        return subprocess.run(["git", "-C", ROOT, *arguments, "--", "Modules", "Examples", "Support"],
+                              capture_output=True, text=True).stdout.strip()
+    changed = git("status", "--porcelain", "--untracked-files=no")
+    return (git("log", "-1", "--format=%h", "--abbrev=7") or "unknown") + ("+" if changed else "")
+
+
 class Study:
     def __init__(self, options):
         self.options = options
         self.effort = EFFORTS[options.effort]
         self.wrong = False
+        self.machine = ""
         self.file = options.out / "part.json"
         options.out.mkdir(parents=True, exist_ok=True)
         self.defaults = self.bench("defaults")
@@ -111,6 +124,9 @@ class Study:
         self.wrong = self.wrong or code == IMAGES_DIFFER
         report = json.loads(self.file.read_text())
         self.file.unlink()
+        if "renderer" in report:
+            effort = "" if self.options.effort == "full" else f", {self.options.effort} run"
+            self.machine = f", {report['renderer']}, VTK {report['vtk']}{effort}"
         return report
 
     def structures(self):
@@ -176,7 +192,6 @@ class Study:
 
     def settings(self):
         settings = collections.defaultdict(list)
-        begin = time.monotonic()
         few = ["stock", "nbuffer", "nbuffer:MinimumNumberOfCandidates=1",
                "nbuffer:MinimumNumberOfCandidates=1:BackOff=0"]
         for path in self.effort.settings_paths:
@@ -192,10 +207,7 @@ class Study:
         if self.effort.plant:
             settings["culler"].append(
                 self.walk_settings("plant", "around", REST_VALUES, "--of", 480))
-        first = settings["culler"][0]
-        return {"settings": {
-            **settings, **{name: first[name] for name in ("renderer", "vtk", "size")},
-            "effort": self.options.effort, "seconds": time.monotonic() - begin}}
+        return {"settings": settings}
 
     def shadow(self, scene, frames, modes, *flags):
         # Many modes: turns have to be short to meet the same disturbances.
@@ -253,11 +265,17 @@ class Study:
             "fill", "--scene", scene, "--path", path, "--size", self.effort.shadow_size, "--frames",
             self.effort.fill_frames, *flags) for scene, path, *flags in scenes]}
 
+    def benchmarks(self):
+        file = self.options.out / f"benchmarks-{commit()}.json"
+        return {BENCHMARKS: study_benchmarks.measure(
+            self.bench, self.options.scenes, file, self.options.effort == "tiny")}
+
     def run(self):
         begin = time.monotonic()
         parts = ["structures"] if self.options.scene else self.options.only or PARTS
-        report = {}
+        report = {"recorded": {}}
         for part in parts:
+            report["recorded"][part] = f"commit {commit()}"
             for name, value in getattr(self, part.replace("-", "_"))().items():
                 if isinstance(value, list) and name in report:
                     report[name] += value
@@ -265,6 +283,7 @@ class Study:
                     report[name].update(value)
                 else:
                     report[name] = value
+            report["recorded"][part] += self.machine
         report["effort"] = self.options.effort
         report["seconds"] = round(time.monotonic() - begin, 1)
         (self.options.out / "study.json").write_text(json.dumps(report, indent=1) + "\n")
@@ -280,7 +299,7 @@ def main():
                         help="fewer frames and repetitions: about 3 minutes")
     effort.add_argument("--tiny", dest="effort", action="store_const", const="tiny",
                         help="one frame of each: only whether everything runs")
-    parser.add_argument("--only", nargs="+", choices=PARTS + FEWER, help="parts of the study")
+    parser.add_argument("--only", nargs="+", choices=(*PARTS, *FEWER, BENCHMARKS), help="parts of the study")
     parser.add_argument("--scene", nargs="+", help="another scene than the city, its structures")
     parser.add_argument("--size", help="of the images, such as 960x720")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/study"))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests Scripts/report.py on small-study.json, which holds few entries of a real study.
+"""Tests Scripts/report.py on small-study.json and small-benchmarks.json, few entries of a real study.
 
 Ends with 77, skipped, where pandas or matplotlib is missing.
 """
@@ -27,12 +27,15 @@ except ImportError as error:
     sys.exit(77)
 
 import report  # noqa: E402
+import report_benchmarks as benchmarks  # noqa: E402
 import report_depth as depth  # noqa: E402
 import report_device as device  # noqa: E402
 import report_shadows as shadows  # noqa: E402
 import report_tables as tables  # noqa: E402
+import study_benchmarks  # noqa: E402
 
 STUDY = HERE / "small-study.json"
+BENCHMARKS = HERE / "small-benchmarks.json"
 
 
 def rows(text):
@@ -129,8 +132,8 @@ class Figures(unittest.TestCase):
         self.assertEqual(paper[2:6], ["65.1", "", "1.67", "2.50"])
         self.assertEqual(ours[0], "birds, orbit, a spot")
         exact = next(way for way in scene["ways"] if way["name"] == "exact")
-        self.assertEqual(ours[-2:], [tables.number(exact["percent_of_whole"]),
-                                     tables.number(2 * exact["percent_of_whole"])])
+        self.assertEqual(ours[11:13], [tables.number(exact["percent_of_whole"]),
+                                       tables.number(2 * exact["percent_of_whole"])])
 
     def test_fill_without_rays_has_no_row_of_own_receivers(self):
         scene = self.study["fill"][0]
@@ -147,22 +150,63 @@ class Figures(unittest.TestCase):
             self.assertEqual((merged["fill"], "figure5" in merged), (["new"], True))
 
 
+class Benchmarks(unittest.TestCase):
+    def setUp(self):
+        self.study = report.load([BENCHMARKS])
+
+    def test_walks_have_goals_and_no_empty_columns(self):
+        walk, = self.study["benchmarks"]["inside"]
+        walk["modes"] = {name: {"median_ms": times[0], "drawn": 1, "units": 3, "frames_ms": times,
+                                "statistics": {"milliseconds": {"cull": 0}}}
+                         for name, times in (("stock", [8, 8]), ("nbuffer", [4, 4]), ("same-list", [2, 4]))}
+        walk["goals"] = [9, 1.4]
+        self.assertEqual(rows(benchmarks.walks(self.study, "inside"))[0][1:],
+                         ["8", "4", "2", "3 / 3 / 3", "2 (9)", "1.50 (1.40)"])
+        self.assertNotIn("wrong bytes", benchmarks.walks(self.study, "inside"))
+        self.assertIn("wrong bytes", benchmarks.walks(self.study, "walks"))
+
+    def test_first_images_are_medians(self):
+        self.study["benchmarks"]["first"] = [
+            {"mode": "stock", "first_image_ms": time, "drawn": 5} for time in (3, 100, 5)]
+        self.assertEqual(rows(benchmarks.first(self.study, "")), [["stock", "5", "5"]])
+
+    def test_a_stopped_run_is_continued(self):
+        calls = []
+
+        def bench(*arguments):
+            calls.append(arguments)
+            return {"frames": 1}
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "benchmarks.json"
+            file.write_text(json.dumps({"walks": []}))
+            reports = study_benchmarks.measure(bench, pathlib.Path("nowhere"), file, False)
+            self.assertEqual(set(reports), set(study_benchmarks.RUNS))
+            self.assertEqual(reports["walks"], [])
+            self.assertFalse(any("nowhere" in word for words in calls for word in words))
+            self.assertEqual(len(reports["lamps"]), 17)
+            count = len(calls)
+            self.assertEqual(study_benchmarks.measure(bench, pathlib.Path("nowhere"), file, False), reports)
+            self.assertEqual(len(calls), count)
+
+
 class Documents(unittest.TestCase):
     def setUp(self):
-        self.study = json.loads(STUDY.read_text())
+        self.study = report.load([STUDY, BENCHMARKS])
 
     def test_every_table_can_be_drawn(self):
         for name, draw in report.TABLES.items():
             argument = {"pareto": "street", "best": "street", "chain": "street",
                         "hierarchy": "street", "shadows": "birds", "setting": "RoundSize",
                         "resolution": "0.1", "fights": "0.1", "gaps": "1",
-                        "receivers": "1e3", "maps": "bias"}.get(name, "")
+                        "receivers": "1e3", "maps": "bias", "walks": "settled",
+                        "recorded": "benchmarks", "shadow_fragments": "ground",
+                        "shadow_times": "shadows no_culler"}.get(name, "")
             try:
                 text = draw(self.study, argument)
             except tables.NotMeasured:
                 self.assertEqual(name, "known")  # Only maps have a table of their own.
                 continue
-            for row in rows(text):
+            for row in rows(text) if "|" in text else []:
                 self.assertEqual(len(row), len(text[text.index("|"):].splitlines()[0].split("|")) - 2)
 
     def test_chains_of_two_eyes(self):
@@ -200,11 +244,11 @@ class Documents(unittest.TestCase):
         self.assertTrue(all(row[0].startswith("birds, ") for row in rows(text)))
 
     def test_only_tables_are_replaced(self):
-        text = "before\n<!-- table: machine -->\nold\n<!-- end -->\nafter\n"
+        text = "before\n<!-- table: recorded scenes -->\nold\n<!-- end -->\nafter\n"
         filled, missing = report.fill_document(text, self.study)
         self.assertEqual(missing, [])
-        self.assertTrue(filled.startswith("before\n<!-- table: machine -->\n"))
-        self.assertTrue(filled.endswith(" s.\n<!-- end -->\nafter\n"))
+        self.assertTrue(filled.startswith("before\n<!-- table: recorded scenes -->\nRecorded at commit "))
+        self.assertTrue(filled.endswith(", VTK 9.7.0.\n<!-- end -->\nafter\n"))
         self.assertNotIn("old", filled)
         self.assertEqual(report.fill_document(filled, self.study)[0], filled)
 
