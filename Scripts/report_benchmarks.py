@@ -45,7 +45,8 @@ def walks(report, name):
             with_goal(walk, ("stock", "nbuffer"), 0), with_goal(walk, ("nbuffer", bound), 1),
             str(walk["differing_bytes"]) if walk["verified_frames"] else "",
             statistics["milliseconds"]["cull"] if "stock" not in modes else ""])
-    drawn = " / ".join(name for name, time in zip(("stock", "nbuffer", "oracle"), times) if time != "")
+    drawn = " / ".join(name for i, name in enumerate(("stock", "nbuffer", "oracle"), 1)
+                       if any(row[i] != "" for row in rows))
     return with_used_columns(
         ["", "stock ms", "nbuffer ms", "oracle ms", f"drawn: {drawn}", "stock / nbuffer",
          "nbuffer / oracle", "wrong bytes", "`Cull()` ms"], rows)
