@@ -293,22 +293,22 @@ NamedScenario UserMatricesWithMirrorAndShear()
   return scene.Finish();
 }
 
-/// In a row of parts that touch each other, one part is drawn late, and all others are drawn again.
+/// In a row of parts whose fronts overlap, one part is drawn late, and all others are drawn again.
 NamedScenario PartsThatTouchAreDrawnAgainWhereTheyTouch()
 {
   HazardBuilder scene("PartsThatTouchAreDrawnAgainWhereTheyTouch");
   // From the far end to the near one, and a door before the first.
   for (int i = 0; i < 50; ++i)
   {
-    scene.Box({ 0.2 * i - 5.0, 0.0, 0.0 }, { 0.2, 0.6, 0.2 });
+    scene.Box({ 0.2 * i - 5.0, 0.0, 0.0 }, { 0.3, 0.6, 0.2 });
   }
-  const int door = scene.Box({ -5.0, 0.0, 1.0 }, { 0.3, 1.2, 0.05 }).Id;
+  const int door = scene.Box({ -5.0, 0.0, 1.0 }, { 0.4, 1.2, 0.05 }).Id;
   scene.LookFrom({ -5.0, 0.0, 25.0 });
   scene.Settle(2);
   scene.ExpectHidden(1, 1);
   scene.NextFrame();
   scene.Move(door, { 0.0, 2.0, 0.0 });
-  // The second part is drawn again, where it touches the first; not the 48 that follow.
+  // The second part is drawn again, where it overlaps the first; not the 48 that follow.
   scene.ExpectHidden(0, 0).Statistics = [](const vtkNBufferStatistics& statistics)
   { return statistics.DrawnInRound[1] == 1 && statistics.Redrawn == 1; };
   return scene.Finish();
