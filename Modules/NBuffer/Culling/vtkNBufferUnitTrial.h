@@ -6,8 +6,8 @@
  *
  * What the units of a mesh cost is work of the calling thread: testing them, and copying the
  * indices of those that are drawn to the device. What they save is work of the device. A software
- * renderer always takes longer to draw a hidden triangle than its share of this work. A graphics
- * device may draw a mesh of a million triangles in less time.
+ * renderer mostly takes longer to draw a hidden triangle than its share of this work, and is not
+ * timed. A graphics device may draw a mesh of a million triangles in less time.
  */
 #ifndef vtkNBufferUnitTrial_h
 #define vtkNBufferUnitTrial_h
