@@ -266,7 +266,7 @@ class Study:
             self.effort.fill_frames, *flags) for scene, path, *flags in scenes]}
 
     def benchmarks(self):
-        file = self.options.out / f"benchmarks-{commit()}.json"
+        file = self.options.out / f"benchmarks-{self.options.effort}-{commit()}.json"
         return {BENCHMARKS: study_benchmarks.measure(
             self.bench, self.options.scenes, file, self.options.effort == "tiny")}
 
