@@ -4,7 +4,7 @@
 
 import pandas as pd
 
-from report_tables import NotMeasured, number, ratio, table
+from report_tables import NotMeasured, number, ratio, shadowed_percent, span, table
 
 FLAT, TREE = "nbuffer:HierarchySize=10000000", "nbuffer"
 
@@ -77,10 +77,8 @@ def first(report, _):
 
 
 def first_frames(report, _):
-    def times(summary):
-        return f"{number(summary['median'])} ({number(summary['p10'])} to {number(summary['p90'])})"
     return table(["scene", "first image", "images 1 to 10", "after 10"], (
-        [walk["label"], *(times(walk["first_frames"]["nbuffer"][name])
+        [walk["label"], *(span(walk["first_frames"]["nbuffer"][name])
                           for name in ("first", "first_ten", "after_ten"))]
         for walk in reports_of(report, "first_frames")))
 
@@ -100,11 +98,6 @@ def lists(report, _):
 # Shadows.
 
 
-def no_less(scene):
-    """The fewest fragments that a mode can have, in % of those of whole volumes."""
-    return 100.0 * scene["shadowed"] / max(scene["modes"]["unclamped"]["fragments"], 1)
-
-
 def millions(count):
     return f"{1e-6 * count:.2f} M"
 
@@ -115,7 +108,7 @@ def shadow_fragments(report, name):
         ["scene", "unclamped, a frame", *(f"{mode} %" for mode in modes), "no mode can have less %"],
         [[scene["label"], millions(scene["modes"]["unclamped"]["fragments"]),
           *(scene["modes"][mode]["fragments_percent"] if mode in scene["modes"] else "" for mode in modes),
-          no_less(scene)] for scene in reports_of(report, name)])
+          shadowed_percent(scene)] for scene in reports_of(report, name)])
 
 
 def shadow_errors(report, _):
