@@ -23,7 +23,7 @@ constexpr vtkNBufferNamedMember<vtkNBufferTuning> Members[] = {
   { "DivideInBackground", &vtkNBufferTuning::DivideInBackground },
   { "MinimumNumberOfUnitsOnDevice", &vtkNBufferTuning::MinimumNumberOfUnitsOnDevice, 1,
     VTK_INT_MAX },
-  { "TimeUnits", &vtkNBufferTuning::TimeUnits, 0, 2 },
+  { "TimeUnits", &vtkNBufferTuning::TimeUnits },
   { "TestTriangles", &vtkNBufferTuning::TestTriangles },
   { "TestPixels", &vtkNBufferTuning::TestPixels },
   { "AllowFloatTextures", &vtkNBufferTuning::AllowFloatTextures },

@@ -71,15 +71,15 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   bool DivideInBackground = true;
   ///@}
 
-  /// With the OpenGL back-end, the graphics device tests the units of a prop if it has at least this
-  /// many, and as many are left after the host has tested groups of 512 units; 1 or more. It always
-  /// makes the lists of what is drawn of a prop (vtkNBufferUnitDevice).
+  /// With the OpenGL back-end, the graphics device tests the units of a prop if it has at least
+  /// this many, and as many are left after the host has tested groups of 512 units; 1 or more. It
+  /// always makes the lists of what is drawn of a prop (vtkNBufferUnitDevice).
   int MinimumNumberOfUnitsOnDevice = 1024;
 
-  /// Whether the times of a few frames decide if props are divided (vtkNBufferUnitTrial): 0 means
-  /// that they always are, 1 that times decide on graphics devices, but not on software renderers,
-  /// where that is always worth it, and 2 that times decide everywhere.
-  int TimeUnits = 1;
+  /// Whether the times of a few frames decide if units are drawn (vtkNBufferUnitTrial). On a
+  /// software renderer they only decide while at least half of all units are drawn, and otherwise
+  /// units are drawn without a trial.
+  bool TimeUnits = true;
 
   /// Whether the triangles of a prop whose box neither the levels nor the pixels hide are compared
   /// with the pixels one by one, if they are few (vtkNBufferMeshes::FindSmall). Requires

@@ -87,7 +87,7 @@ struct ComparisonOptions
     vtkNBufferTuning tuning;
     tuning.RoundSize = 12;
     tuning.BackOff = false;
-    tuning.TimeUnits = 0;
+    tuning.TimeUnits = false;
     return tuning;
   }();
   /// Whether all pictures of the test may be of one color. A test whose scene is never drawn finds

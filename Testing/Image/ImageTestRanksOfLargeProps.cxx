@@ -40,6 +40,7 @@ RankOptions MakeMeshes(std::vector<int>& drawnUnits)
     tuning.UnitSize = 8;
     tuning.DivideAfter = 0;
     tuning.DivideInBackground = false;
+    tuning.TimeUnits = false;
     stages.Culled.Culler->SetTuning(tuning);
   };
   options.After = [&drawnUnits](RankStages& stages, int, int frame)

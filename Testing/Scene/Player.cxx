@@ -227,7 +227,7 @@ void Player::AddCullers()
       Tune(culler, &vtkNBufferTuning::MinimumNumberOfUnitsOnDevice, 1);
       // The same units in the same frame, whenever the scenario is run.
       Tune(culler, &vtkNBufferTuning::DivideInBackground, false);
-      Tune(culler, &vtkNBufferTuning::TimeUnits, 0);
+      Tune(culler, &vtkNBufferTuning::TimeUnits, false);
       Tune(culler, &vtkNBufferTuning::ReuseWhenStill, settings.ReuseWhenStill);
       Tune(culler, &vtkNBufferTuning::BackOff, settings.BackOff);
       Tune(culler, &vtkNBufferTuning::TakeOverFrustumCulling,

@@ -4,7 +4,6 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
-#include "vtkNBufferGL.h"
 #include "vtkNBufferLargeProps.h"
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferTieQuery.h"
@@ -132,7 +131,7 @@ void vtkNBufferDivision::SetView(const vtkNBufferViewSetup& view)
   }
 }
 
-void vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSettings& settings,
+bool vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSettings& settings,
   int firstBlended, vtkNBufferFrustumCounts& counts)
 {
   for (Entry& entry : this->Entries)
@@ -157,10 +156,14 @@ void vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
     entry.IsActive = isTested && !isTranslucent;
     entry.IsPending = isTested && isTranslucent;
   }
-  if (!this->DrawsUnits(renderer, settings))
+  vtkNBufferStatistics last;
+  this->Count(last);
+  const bool isAnyTested = std::any_of(this->Entries.begin(), this->Entries.end(),
+    [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
+  if (isAnyTested && !this->Trial->DrawsUnits(renderer, settings, last))
   {
     this->Reset();
-    return;
+    return false;
   }
   for (Entry& entry : this->Entries)
   {
@@ -176,15 +179,7 @@ void vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
       (entry.IsPending ? counts.Translucent : counts.HeldBack) += inside - kept;
     }
   }
-}
-
-bool vtkNBufferDivision::DrawsUnits(vtkRenderer* renderer, const vtkNBufferSettings& settings)
-{
-  const bool isAnyTested = std::any_of(this->Entries.begin(), this->Entries.end(),
-    [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
-  const bool isOnTrial = isAnyTested && !settings.Shared &&
-    (settings.TimeUnits == 2 || (settings.TimeUnits == 1 && !vtkNBufferGL::GetSoftwareRenderer()));
-  return !isOnTrial || this->Trial->BeginFrame(renderer);
+  return true;
 }
 
 int vtkNBufferDivision::CountTranslucentByUnits() const

@@ -61,8 +61,9 @@ public:
 
   /// Decide whether units are drawn in this frame, find those that are drawn first, and add all
   /// units in the frustum to the counts. Opaque props from `firstBlended` on
-  /// (vtkNBufferListTraits::GetFirstBlended()) are drawn whole.
-  void Classify(vtkRenderer* renderer, const vtkNBufferSettings& settings, int firstBlended,
+  /// (vtkNBufferListTraits::GetFirstBlended()) are drawn whole. Returns false if all props are
+  /// drawn whole because of vtkNBufferUnitTrial.
+  bool Classify(vtkRenderer* renderer, const vtkNBufferSettings& settings, int firstBlended,
     vtkNBufferFrustumCounts& counts);
 
   /// The number of translucent props of which the units are tested, but not the whole box, because
@@ -163,7 +164,6 @@ private:
 
   Entry* Find(int place);
   void FindLarge(const std::vector<int>& places);
-  bool DrawsUnits(vtkRenderer* renderer, const vtkNBufferSettings& settings);
   vtkNBufferCandidateList& Props;
   vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< The pass of the window.
   vtkNew<vtkNBufferUnitTrial> Trial;

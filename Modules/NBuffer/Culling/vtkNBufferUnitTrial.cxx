@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferUnitTrial.h"
 
+#include "vtkNBufferDepthTest.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferStatistics.h"
 
 #include "vtkRenderer.h"
 
@@ -12,15 +14,20 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The share of the time of a term that a contest may have lost by drawing in the slower way.
+constexpr double LargestShare = 0.005;
+}
+
 bool vtkNBufferContest::UsesFirst() const
 {
-  return this->Term > 0 ? this->FirstIsFaster
-                        : this->Frame < SettlingFrames || (this->Frame - SettlingFrames) % 2 == 0;
+  return this->Term > 0 ? this->FirstIsFaster : this->Frame % 2 == 0;
 }
 
 bool vtkNBufferContest::IsTimed() const
 {
-  return this->Term == 0 && this->Frame >= SettlingFrames;
+  return this->Term == 0 && this->Frame >= 2 * SettlingFrames;
 }
 
 void vtkNBufferContest::CountFrame(double milliseconds)
@@ -35,21 +42,29 @@ void vtkNBufferContest::CountFrame(double milliseconds)
     double& shortest = this->UsesFirst() ? this->First : this->Second;
     shortest = std::min(shortest, milliseconds);
   }
-  if (++this->Frame < SettlingFrames + 2 * FramesOfEach)
+  if (++this->Frame < 2 * FramesOfEach)
   {
     return;
   }
-  const bool isFaster = this->First <= this->Second;
-  const bool winsAgain = this->LastTerm > 0 && isFaster == this->FirstIsFaster;
-  this->LastTerm = winsAgain ? std::min(2 * this->LastTerm, LongestTerm) : ShortestTerm;
-  this->FirstIsFaster = isFaster;
-  this->Term = this->LastTerm;
+  this->FirstIsFaster = this->First <= this->Second;
+  const auto [faster, slower] = std::minmax(this->First, this->Second);
+  const double lost = FramesOfEach * (slower - faster);
+  this->Term = lost < LongestTerm * LargestShare * faster
+    ? std::max(static_cast<int>(lost / (LargestShare * faster)), +ShortestTerm)
+    : LongestTerm;
   this->Frame = 0;
   this->First = this->Second = std::numeric_limits<double>::infinity();
 }
 
-bool vtkNBufferUnitTrial::BeginFrame(vtkRenderer* renderer)
+bool vtkNBufferUnitTrial::DrawsUnits(
+  vtkRenderer* renderer, const vtkNBufferSettings& settings, const vtkNBufferStatistics& last)
 {
+  // A software renderer takes longer to draw a hidden unit than this module takes to test it.
+  const bool drawsFew = 2 * (last.UnitsKept + last.UnitsFresh) < last.Units;
+  if (!settings.TimeUnits || settings.Shared || (drawsFew && vtkNBufferGL::GetSoftwareRenderer()))
+  {
+    return true;
+  }
   const bool hasUnits = this->Contest.UsesFirst();
   this->IsTiming = this->Contest.IsTimed();
   if (!this->IsTiming)

@@ -5,14 +5,15 @@
  * @brief Finds out by the times of frames whether drawing large props unit by unit is faster.
  *
  * What the units of a mesh cost is work of the calling thread: testing them, and copying the
- * indices of those that are drawn to the device. What they save is work of the device. A software
- * renderer mostly takes longer to draw a hidden triangle than its share of this work, and is not
- * timed. A graphics device may draw a mesh of a million triangles in less time.
+ * indices of those that are drawn to the device. What they save is work of the device, which may
+ * draw a mesh of a million triangles in less time. A frame whose props are all drawn whole may also
+ * need no test at all (vtkNBufferBackOff).
  */
 #ifndef vtkNBufferUnitTrial_h
 #define vtkNBufferUnitTrial_h
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferCullingPolicy.h"
 #include "vtkNBufferModule.h" // For export macro
 
 #include "vtkCommand.h"
@@ -22,22 +23,28 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
+struct vtkNBufferSettings;
+struct vtkNBufferStatistics;
 
 /**
- * Two ways of drawing that take turns until their times have been compared. A contest is a sequence
- * of frames, of which the first ones, in the first way, are not timed, because the first way builds
- * on what it knows from the frames before. The faster way is then used for a term of many frames,
- * after which the next contest begins. If the same way wins again, its term is twice as long. No
- * OpenGL.
+ * Compares the times of two ways of drawing, which take turns during a contest. The first frames of
+ * a contest are not timed, because a frame depends on what was learned in earlier frames. The
+ * faster way is then used for a term of many frames, after which the next contest begins. The term
+ * is so long that the contest has made all these frames slower by 0.5 % at most, as long as it need
+ * not be longer than LongestTerm. No OpenGL.
  */
 class VTKNBUFFER_EXPORT vtkNBufferContest
 {
 public:
-  static constexpr int SettlingFrames = 3;
-  static constexpr int FramesOfEach = 3;
+  ///@{
+  /// How many frames of each way are not timed, how many are, and the sum of both.
+  static constexpr int SettlingFrames = vtkNBufferBackOff::PoorTestsBeforePause;
+  static constexpr int TimedFrames = 3;
+  static constexpr int FramesOfEach = SettlingFrames + TimedFrames;
+  ///@}
   ///@{
   /// The shortest and the longest term, in frames.
-  static constexpr int ShortestTerm = 256;
+  static constexpr int ShortestTerm = 64;
   static constexpr int LongestTerm = 4096;
   ///@}
 
@@ -57,7 +64,6 @@ private:
   double Second = std::numeric_limits<double>::infinity();
   int Frame = 0; ///< Counts the frames of the contest.
   int Term = 0;  ///< The frames left of the term.
-  int LastTerm = 0;
   bool FirstIsFaster = true;
 };
 
@@ -69,9 +75,11 @@ public:
   static vtkNBufferUnitTrial* New() { return new vtkNBufferUnitTrial; }
   vtkTypeMacro(vtkNBufferUnitTrial, vtkCommand);
 
-  /// Begin a frame in which units may be drawn. Returns whether they are to be drawn. The context
-  /// of the renderer's window must be current.
-  bool BeginFrame(vtkRenderer* renderer);
+  /// Begin a frame in which units may be drawn, and return whether they are to be drawn. `last` has
+  /// the numbers of units in the last frame in which they were. The context of the renderer's
+  /// window must be current.
+  bool DrawsUnits(
+    vtkRenderer* renderer, const vtkNBufferSettings& settings, const vtkNBufferStatistics& last);
 
   /// Forget all times.
   void Restart() { this->Contest = {}; }

@@ -17,7 +17,6 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-
 vtkNBufferView::vtkNBufferView(std::shared_ptr<vtkNBufferBackend> backend)
   : Backend(std::move(backend))
   , Partition(this->Props)
@@ -126,10 +125,11 @@ vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
   vtkNBufferFrustumCounts counts = this->Partition.Classify(firstBlended);
   counts.Blending = this->Props.HasBlending(drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
-  this->Division.Classify(renderer, this->Settings, firstBlended, counts);
-  this->BackOff = this->Settings.BackOff ? this->BackOff : vtkNBufferBackOff();
+  this->BackOff =
+    &this->BackOffs[this->Division.Classify(renderer, this->Settings, firstBlended, counts)];
+  *this->BackOff = this->Settings.BackOff ? *this->BackOff : vtkNBufferBackOff();
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
-    this->Settings.MinimumNumberOfCandidates, this->Settings.BackOff ? &this->BackOff : nullptr);
+    this->Settings.MinimumNumberOfCandidates, this->Settings.BackOff ? this->BackOff : nullptr);
   if (decision != vtkNBufferDecision::Culled)
   {
     this->Partition.KeepAll();
@@ -226,7 +226,7 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   }
   this->Props.CountVerdicts(this->Statistics);
   this->Division.Count(this->Statistics);
-  this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + this->KeptInVain +
+  this->BackOff->Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + this->KeptInVain +
       this->Statistics.UnitsHidden - this->Statistics.Redrawn,
     this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside);
   return drawn;

@@ -127,7 +127,8 @@ private:
   ///@}
 
   std::shared_ptr<vtkNBufferBackend> Backend;
-  vtkNBufferBackOff BackOff;
+  vtkNBufferBackOff BackOffs[2]; ///< For frames without units on trial, and for others.
+  vtkNBufferBackOff* BackOff = nullptr;
   vtkNBufferCandidateList Props;
   vtkNBufferPartition Partition;
   vtkNBufferDivision Division;
