@@ -107,7 +107,7 @@ MUTANTS = {
 
     # Triangles.
     "only one triangle of a mesh looked at": [
-        ("vtkNBufferPixelTest.cxx", "for (std::size_t n = 0; n < size; ++n)",
+        ("vtkNBufferPixelTest.cxx", "for (std::size_t n = 0; n < std::min(size, count); ++n)",
          "for (std::size_t n = 0; n < std::min<std::size_t>(size, 1); ++n)")],
     "outlines of triangles one pixel short": [
         ("vtkNBufferPixelTest.cxx", "glm::dvec2(side.y, -side.x), corners, slack);",

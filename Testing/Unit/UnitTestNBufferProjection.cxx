@@ -468,7 +468,7 @@ TEST(NBufferProjectionOnce, OutlinesAreWidenedForTheSubpixelGrid)
   mesh.Triangles = { { 0, 1, 2 } };
   const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   std::size_t first = 0;
-  EXPECT_TRUE(test.MayBeSeen(mesh, identity, makeBox(20.45).Screen, first)) << "nor a corner";
+  EXPECT_TRUE(test.MayBeSeen(mesh, identity, makeBox(20.45).Screen, first, 1)) << "nor a corner";
 }
 
 // Hazard: a device may snap a box to the middle of a pixel, and the box is said to be between the

@@ -368,17 +368,49 @@ void vtkNBufferCandidateList::ReadTriangles(int i, int limit)
   }
 }
 
-bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test)
+bool vtkNBufferCandidateList::IsInItsBox(int i) const
 {
-  // Wide lines and points stick out of the triangles.
-  const vtkNBufferState& state = this->States[i];
-  if (state.Placement != vtkNBufferPlacement::Inside || this->GetBox(i).Margin > 0.0)
+  return this->States[i].Placement == vtkNBufferPlacement::Inside &&
+    !(this->GetBox(i).Margin > 0.0);
+}
+
+void vtkNBufferCandidateList::CopyTriangles(const std::vector<int>& places)
+{
+  std::vector<int> left;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(left),
+    [this](int i)
+    {
+      const vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
+      return this->States[i].WasVisible && !meshes.Small && !meshes.IsTooLarge &&
+        this->IsInItsBox(i);
+    });
+  const auto copy = [&]()
   {
-    return true;
+    for (const int i : left)
+    {
+      if (vtkActor* actor = vtkActor::SafeDownCast(this->GetProp(i)))
+      {
+        this->Meshes.FindSmall(actor, true, this->MeshesOfProps[i]);
+      }
+    }
+  };
+  if (!left.empty())
+  {
+    vtkNBufferForEachProp::RunInOneThread(copy);
   }
-  vtkActor* actor = vtkActor::SafeDownCast(this->GetProp(i));
+}
+
+std::optional<bool> vtkNBufferCandidateList::MayBeSeen(
+  int i, vtkNBufferPixelTest& test, std::size_t count)
+{
   vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
-  return !actor || !this->Meshes.FindSmall(actor, state.WasVisible, meshes) ||
-    test.MayBeSeen(*meshes.Small, actor->GetMatrix()->GetData(), this->GetScreen(i), meshes.First);
+  if (!meshes.Small || !this->IsInItsBox(i))
+  {
+    return {};
+  }
+  auto* actor = static_cast<vtkActor*>(this->GetProp(i));
+  this->Meshes.FindSmall(actor, false, meshes);
+  return test.MayBeSeen(
+    *meshes.Small, actor->GetMatrix()->GetData(), this->GetScreen(i), meshes.First, count);
 }
 VTK_ABI_NAMESPACE_END

@@ -22,6 +22,7 @@
 #include "vtkNBufferPropList.h"
 #include "vtkNBufferTieOrder.h"
 
+#include <optional>
 #include <unordered_set>
 #include <vector>
 
@@ -107,18 +108,15 @@ public:
   const vtkNBufferFaces::OfProp& GetFaces(int i) const { return this->FacesOfProps[i]; }
   ///@}
 
-  /// Whether any triangle of candidate i may be visible. Also true if its triangles are not known:
-  /// only those of small meshes are copied (vtkNBufferMeshes::FindSmall), for props that the last
-  /// test found visible.
-  bool MayBeSeen(int i, vtkNBufferPixelTest& test);
+  /// Copy the triangles that MayBeSeen() needs: those of small meshes
+  /// (vtkNBufferMeshes::FindSmall), for props that the last test found visible, and only of a few
+  /// props in a frame.
+  void CopyTriangles(const std::vector<int>& places);
 
-  /// Whether MayBeSeen() copies the triangles of candidate i, unless it has copied enough.
-  bool HasToCopy(int i) const
-  {
-    const vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
-    return this->States[i].WasVisible && this->States[i].Placement == vtkNBufferPlacement::Inside &&
-      !(this->GetBox(i).Margin > 0.0) && !meshes.Small && !meshes.IsTooLarge;
-  }
+  /// Whether one of `count` triangles of candidate i may be visible
+  /// (vtkNBufferPixelTest::MayBeSeen()), or nullopt if its triangles are not known. May run in
+  /// parallel for different candidates.
+  std::optional<bool> MayBeSeen(int i, vtkNBufferPixelTest& test, std::size_t count);
 
   int GetSize() const { return static_cast<int>(this->Candidates.GetSize()); }
   vtkProp* GetProp(int i) const { return this->Candidates.GetProp(i); }
@@ -155,6 +153,9 @@ private:
   void FindSharedState();
   /// Visit the next few props in turn, and observe those that have not changed since the last one.
   void ObserveSome();
+  /// Whether nothing of candidate i sticks out of its box, as wide lines and points do, and the box
+  /// is Inside.
+  bool IsInItsBox(int i) const;
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
 
   vtkNBufferPropList<vtkNBufferCandidate> Candidates;

@@ -15,7 +15,9 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -25,7 +27,7 @@ namespace
 /// candidates.
 constexpr std::size_t CandidatesWorthARead = 32;
 
-/// The number of hidden props that is worth a thread of its own in the test for slivers.
+/// The number of props that is worth a thread of its own in the tests of pixels and slivers.
 constexpr vtkIdType PropsPerThread = 800;
 
 template <typename Predicate>
@@ -377,26 +379,48 @@ int vtkNBufferDepthTest::RemoveBehind(std::vector<int>& places)
   if (const float* depth = this->GetDepth(places))
   {
     clock.Restart();
-    vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth, this->SampleDistance);
-    RemoveIf(places,
-      [&](int i)
-      {
-        const vtkNBufferScreenBox* screen = this->GetScreen(i);
-        return screen && pixelTest.IsHidden(this->Props.GetBox(i), *screen);
-      });
-    if (this->Settings.TestTriangles)
-    {
-      const std::size_t seen = places.size();
-      const auto removeHidden = [&]()
-      { RemoveIf(places, [&](int i) { return !this->Props.MayBeSeen(i, pixelTest); }); };
-      const bool copies = std::any_of(
-        places.begin(), places.end(), [this](int i) { return this->Props.HasToCopy(i); });
-      copies ? vtkNBufferForEachProp::RunInOneThread(removeHidden) : removeHidden();
-      this->Statistics.HiddenByTriangles += static_cast<int>(seen - places.size());
-    }
-    this->Statistics.Lookups += pixelTest.GetLookups();
+    this->RemoveBehindPixels(places, depth);
     this->Statistics.PixelTestTime += clock.GetMilliseconds();
   }
   return passed;
+}
+
+void vtkNBufferDepthTest::RemoveBehindPixels(std::vector<int>& places, const float* depth)
+{
+  std::vector<unsigned char> isHidden(places.size(), 0);
+  std::atomic<int> hiddenByTriangles{ 0 };
+  std::atomic<long long> lookups{ 0 };
+  const bool triangles = this->Settings.TestTriangles;
+  const auto test = [&](std::size_t begin, std::size_t end)
+  {
+    vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth, this->SampleDistance);
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const int i = places[n];
+      const auto mayBeSeen = [&](std::size_t count, bool otherwise) {
+        return triangles ? this->Props.MayBeSeen(i, pixelTest, count).value_or(otherwise)
+                         : otherwise;
+      };
+      const vtkNBufferScreenBox* screen = this->GetScreen(i);
+      // Most props that were visible are visible again, with the same triangle.
+      if (!screen || (this->Props.GetState(i).WasVisible && mayBeSeen(1, false)))
+      {
+        continue;
+      }
+      const bool isBehind = pixelTest.IsHidden(this->Props.GetBox(i), *screen);
+      isHidden[n] = isBehind || !mayBeSeen(std::numeric_limits<std::size_t>::max(), true);
+      hiddenByTriangles += isHidden[n] && !isBehind;
+    }
+    lookups += pixelTest.GetLookups();
+  };
+  if (triangles)
+  {
+    this->Props.CopyTriangles(places);
+  }
+  vtkNBufferForEachProp::Run(places.size(), test, PropsPerThread);
+  auto hidden = isHidden.begin();
+  RemoveIf(places, [&](int) { return *hidden++ != 0; });
+  this->Statistics.HiddenByTriangles += hiddenByTriangles;
+  this->Statistics.Lookups += lookups;
 }
 VTK_ABI_NAMESPACE_END

@@ -114,6 +114,8 @@ private:
   void FindDrawnRows(vtkRenderer* renderer);
   /// The steps 1 and 2 of RemoveHidden().
   int RemoveBehind(std::vector<int>& places);
+  /// Remove the places of candidates that are behind these pixels.
+  void RemoveBehindPixels(std::vector<int>& places, const float* depth);
   /// How many candidates of all lists RemoveBehind() finds hidden. The statistics count only the
   /// time that this takes.
   int CountHidden(std::initializer_list<const std::vector<int>*> places);

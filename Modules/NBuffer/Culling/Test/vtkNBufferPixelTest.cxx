@@ -191,27 +191,33 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
       return true;
     }
   }
-  const std::size_t width = this->Levels.GetPixelWidth();
   for (int row = std::min(y + Side, pixels.Y1) - 1; row >= std::max(y, pixels.Y0); --row)
   {
     for (int column = std::max(x, pixels.X0); column < std::min(x + Side, pixels.X1); ++column)
     {
-      ++this->Lookups;
-      const double depth = this->Depth[row * width + column];
-      const double x = column + 0.5;
-      const double y = row + 0.5;
-      if (!(this->Nearest > depth) && !this->IsOutsideOutline(x, y, this->SampleDistance))
+      if (!this->IsPixelHidden(column, row))
       {
-        const double nearest = this->GetNearest(x, y, this->SampleDistance);
-        if (!(nearest > depth) &&
-          !(nearest > this->Levels.GetTexel(0, column / factor, row / factor)))
-        {
-          return false;
-        }
+        return false;
       }
     }
   }
   return true;
+}
+
+bool vtkNBufferPixelTest::IsPixelHidden(int column, int row)
+{
+  ++this->Lookups;
+  const std::size_t width = this->Levels.GetPixelWidth();
+  const double depth = this->Depth[row * width + column];
+  const double x = column + 0.5;
+  const double y = row + 0.5;
+  if (this->Nearest > depth || this->IsOutsideOutline(x, y, this->SampleDistance))
+  {
+    return true;
+  }
+  const int factor = this->Levels.GetFactor();
+  const double nearest = this->GetNearest(x, y, this->SampleDistance);
+  return nearest > depth || nearest > this->Levels.GetTexel(0, column / factor, row / factor);
 }
 
 bool vtkNBufferPixelTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
@@ -232,6 +238,11 @@ bool vtkNBufferPixelTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScr
 
 bool vtkNBufferPixelTest::IsHidden(const vtkNBufferRectangle& pixels)
 {
+  // Most of what is visible is visible in the middle of its rectangle.
+  if (!this->IsPixelHidden((pixels.X0 + pixels.X1) / 2, (pixels.Y0 + pixels.Y1) / 2))
+  {
+    return false;
+  }
   for (int y = (pixels.Y1 - 1) / Side * Side; y > pixels.Y0 - Side; y -= Side)
   {
     for (int x = pixels.X0 / Side * Side; x < pixels.X1; x += Side)
@@ -246,25 +257,36 @@ bool vtkNBufferPixelTest::IsHidden(const vtkNBufferRectangle& pixels)
 }
 
 bool vtkNBufferPixelTest::MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
-  const vtkNBufferScreenBox& screen, std::size_t& first)
+  const vtkNBufferScreenBox& screen, std::size_t& first, std::size_t count)
 {
   const Errors errors = this->Projection.GetTriangleErrors(screen);
   const glm::dvec2 slack = this->GetSlack(screen);
   const vtkNBufferRectangle& sampled = screen.GetSampled(this->SampleDistance);
   const vtkNBufferProjection::Rows rows =
     this->Projection.GetWindowMatrix(vtkNBufferGLM::ToMatrix(toWorld));
+  const auto project = [&rows](const glm::dvec3& point)
+  {
+    const auto evaluate = [&](int row) { return vtkNBufferBoxError::Evaluate(rows[row], point); };
+    const double w = evaluate(3);
+    return glm::dvec3(evaluate(0), evaluate(1), evaluate(2)) /
+      (w > 0.0 ? w : std::numeric_limits<double>::quiet_NaN());
+  };
   const std::size_t size = mesh.Triangles.size();
-  for (std::size_t n = 0; n < size; ++n)
+  for (std::size_t n = 0; n < std::min(size, count); ++n)
   {
     const std::size_t triangle = (first + n) % size;
+    if (n == 1)
+    {
+      // Points are shared by triangles.
+      this->OnScreen.resize(mesh.Points.size());
+      std::transform(mesh.Points.begin(), mesh.Points.end(), this->OnScreen.begin(), project);
+    }
     Corners corners;
     for (int i = 0; i < 3; ++i)
     {
-      const glm::dvec3& point = mesh.Points[mesh.Triangles[triangle][i]];
-      const auto evaluate = [&](int row) { return vtkNBufferBoxError::Evaluate(rows[row], point); };
-      const double w = evaluate(3);
-      corners[i] = glm::dvec3(evaluate(0), evaluate(1), evaluate(2)) / w;
-      if (!(w > 0.0) || !vtkNBufferGLM::IsFinite(corners[i]))
+      const auto point = mesh.Triangles[triangle][i];
+      corners[i] = n == 0 ? project(mesh.Points[point]) : this->OnScreen[point];
+      if (!vtkNBufferGLM::IsFinite(corners[i]))
       {
         first = triangle;
         return true; // A device draws the part of it before the eye, which is not known here.

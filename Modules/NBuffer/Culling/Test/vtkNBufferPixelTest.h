@@ -55,6 +55,7 @@
 #include "vtkNBufferProjection.h"
 
 #include <array>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 struct vtkNBufferMesh;
@@ -81,12 +82,13 @@ public:
   /**
    * False only if nothing of a mesh can be seen. `screen` is what projection.Project() gave for its
    * box, which has no Margin and is Inside. `toWorld` is the matrix from the coordinates of the
-   * mesh to the world, row by row. The test begins with triangle `first`, which may be any number.
-   * If a triangle may be visible, `first` is set to it: in the next frame the test then mostly ends
-   * with its first triangle.
+   * mesh to the world, row by row. The test begins with triangle `first`, which may be any number,
+   * and ends after `count` triangles; if there are more, false says nothing of them. If a triangle
+   * may be visible, `first` is set to it: in the next frame the test then mostly ends with its
+   * first triangle.
    */
   bool MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
-    const vtkNBufferScreenBox& screen, std::size_t& first);
+    const vtkNBufferScreenBox& screen, std::size_t& first, std::size_t count);
 
   /// The number of texels and pixels read so far.
   long long GetLookups() const { return this->Lookups; }
@@ -120,6 +122,7 @@ private:
   /// The nearest depth that the box or triangle may have in a square around (x, y).
   double GetNearest(double x, double y, double halfSide) const;
   bool IsSquareHidden(int x, int y, const vtkNBufferRectangle& pixels);
+  bool IsPixelHidden(int column, int row);
 
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
@@ -135,6 +138,7 @@ private:
   int NumberOfPlanes = 0;
   double Nearest = 0.0;
   ///@}
+  std::vector<glm::dvec3> OnScreen; ///< The points of the mesh under test.
   long long Lookups = 0;
 };
 
