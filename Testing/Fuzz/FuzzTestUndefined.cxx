@@ -90,6 +90,19 @@ TEST(FuzzUndefined, NoNewContextWithSplats)
   ExpectRemoved(ChangeKind::NewContext, PropKind::Splats);
 }
 
+// VTK 9.1 alone draws such splats in another color each time.
+TEST(FuzzUndefined, NoEdgesOfSplats)
+{
+  ExpectRemoved(ChangeKind::Edges, PropKind::Splats);
+  Scenario scenario;
+  scenario.Props.resize(2);
+  scenario.Props[0].Edges = scenario.Props[1].Edges = true;
+  scenario.Props[1].Kind = PropKind::Splats;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Props[0].Edges);
+  EXPECT_FALSE(scenario.Props[1].Edges);
+}
+
 // VTK 9.1 alone crashes with such glyphs.
 TEST(FuzzUndefined, NoEdgesOfClippedGlyphs)
 {

@@ -99,12 +99,14 @@ void RemoveUndefined(Scenario& scene)
     {
       prop.Representation = Representation::Surface;
     }
-    // VTK 9.1 does not compile the shader of clipped glyphs with edges, and crashes.
-    if (prop.Kind == PropKind::Glyphs &&
-      (!prop.ClippingPlane.empty() ||
-        std::any_of(scene.Changes.begin(), scene.Changes.end(),
-          [&prop](const Change& change)
-          { return change.Kind == ChangeKind::ClippingPlane && change.Target == prop.Id; })))
+    // VTK 9.1 does not compile the shader of clipped glyphs with edges, and crashes. It draws
+    // splats with edges in another color each time.
+    if (prop.Kind == PropKind::Splats ||
+      (prop.Kind == PropKind::Glyphs &&
+        (!prop.ClippingPlane.empty() ||
+          std::any_of(scene.Changes.begin(), scene.Changes.end(),
+            [&prop](const Change& change)
+            { return change.Kind == ChangeKind::ClippingPlane && change.Target == prop.Id; }))))
     {
       prop.Edges = false;
       RemoveChanges(scene, ChangeKind::Edges, prop.Id);
