@@ -71,12 +71,13 @@ const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferMeshes::Get(
   return kept.Meshes;
 }
 
-bool vtkNBufferMeshes::FindSmall(vtkActor* actor, bool mayCopy, OfProp& kept)
+bool vtkNBufferMeshes::FindSmall(vtkProp* prop, bool mayCopy, OfProp& kept)
 {
   kept.Frame = this->Frame;
   if (!kept.Small && !kept.IsTooLarge && mayCopy && this->CopiesLeft > 0)
   {
-    vtkMapper* mapper = actor->GetMapper();
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
     auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
     kept.IsTooLarge =
       !data || data->GetNumberOfPolys() > MaximumNumberOfPolygons || data->GetNumberOfStrips() > 0;

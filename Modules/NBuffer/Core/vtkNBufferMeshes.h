@@ -23,7 +23,6 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkActor;
 class vtkPolyData;
 class vtkProp;
 
@@ -76,7 +75,7 @@ public:
    * only if `mayCopy` is true, and for at most CopiesPerFrame actors in a frame. As for Get(),
    * `kept` must be replaced by an empty one if the actor or its data changes.
    */
-  bool FindSmall(vtkActor* actor, bool mayCopy, OfProp& kept);
+  bool FindSmall(vtkProp* prop, bool mayCopy, OfProp& kept);
 
 private:
   static constexpr vtkIdType MaximumNumberOfPolygons = 256;

@@ -368,35 +368,24 @@ void vtkNBufferCandidateList::ReadTriangles(int i, int limit)
   }
 }
 
-bool vtkNBufferCandidateList::IsInItsBox(int i) const
-{
-  return this->States[i].Placement == vtkNBufferPlacement::Inside &&
-    !(this->GetBox(i).Margin > 0.0);
-}
-
 void vtkNBufferCandidateList::CopyTriangles(const std::vector<int>& places)
 {
-  std::vector<int> left;
-  std::copy_if(places.begin(), places.end(), std::back_inserter(left),
-    [this](int i)
-    {
-      const vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
-      return this->States[i].WasVisible && !meshes.Small && !meshes.IsTooLarge &&
-        this->IsInItsBox(i);
-    });
-  const auto copy = [&]()
+  const auto hasToCopy = [this](int i)
   {
-    for (const int i : left)
+    const vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
+    return this->States[i].WasVisible && !meshes.Small && !meshes.IsTooLarge;
+  };
+  const auto copy = [&](int i)
+  {
+    if (hasToCopy(i))
     {
-      if (vtkActor* actor = vtkActor::SafeDownCast(this->GetProp(i)))
-      {
-        this->Meshes.FindSmall(actor, true, this->MeshesOfProps[i]);
-      }
+      this->Meshes.FindSmall(this->GetProp(i), true, this->MeshesOfProps[i]);
     }
   };
-  if (!left.empty())
+  if (std::any_of(places.begin(), places.end(), hasToCopy))
   {
-    vtkNBufferForEachProp::RunInOneThread(copy);
+    vtkNBufferForEachProp::RunInOneThread(
+      [&]() { std::for_each(places.begin(), places.end(), copy); });
   }
 }
 
@@ -404,7 +393,9 @@ std::optional<bool> vtkNBufferCandidateList::MayBeSeen(
   int i, vtkNBufferPixelTest& test, std::size_t count)
 {
   vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
-  if (!meshes.Small || !this->IsInItsBox(i))
+  // Wide lines and points stick out of the triangles.
+  if (!meshes.Small || this->States[i].Placement != vtkNBufferPlacement::Inside ||
+    this->GetBox(i).Margin > 0.0)
   {
     return {};
   }

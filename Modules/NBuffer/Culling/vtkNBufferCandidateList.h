@@ -153,9 +153,6 @@ private:
   void FindSharedState();
   /// Visit the next few props in turn, and observe those that have not changed since the last one.
   void ObserveSome();
-  /// Whether nothing of candidate i sticks out of its box, as wide lines and points do, and the box
-  /// is Inside.
-  bool IsInItsBox(int i) const;
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
 
   vtkNBufferPropList<vtkNBufferCandidate> Candidates;
