@@ -496,13 +496,26 @@ TEST_F(FuzzRuns, LayerWithNothingToDraw)
 }
 
 // The edges make the shader number the triangles, so that the prop is read again while nothing else
-// changes.
+// changes. In the frame before that all of its units are drawn, also after another prop in the same
+// plane.
 TEST_F(FuzzRuns, EdgesOfALargeProp)
 {
-  const Scenario scenario = FromJson(Parse(
-    R"({"changes": [{"frame": 3, "kind": "Edges", "values": [1.0, 0.5, 0.5]}], "frames": 6,
-        "culler": {"minimum_number_of_primitives": 2, "unit_size": 1}, "props": [{}]})"));
-  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+  const char* scenes[] = {
+    R"("changes": [{"frame": 3, "kind": "Edges", "values": [1.0, 0.5, 0.5]}], "props": [{}])",
+    R"("changes": [{"frame": 2, "target": 3, "values": [1.777, 0.597, 1.0]},
+         {"frame": 3, "kind": "Edges", "target": 2, "values": [1.0, 0.5, 0.5]}],
+       "props": [{"id": 2, "shape": {"detail": 57, "kind": "Scraps", "size": [7.484, 6.976, 0.0]}},
+         {"shape": {"size": [7.299, 8.58, 0.0]}},
+         {"id": 3, "shape": {"center": [-0.193, -1.09, 2.0], "size": [2.378, 4.011, 0.2]}}],
+       "views": [{}])",
+  };
+  for (const std::string scene : scenes)
+  {
+    const Scenario scenario = FromJson(
+      Parse(R"({"culler": {"minimum_number_of_primitives": 2, "unit_size": 1}, "frames": 6, )" +
+        scene + "}"));
+    EXPECT_EQ(Checker().Run(scenario, true).Failure, "") << scene;
+  }
 }
 
 // The shader that pushes the box behind the wall away writes the depth at the middle of a pixel for

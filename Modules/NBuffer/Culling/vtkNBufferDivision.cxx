@@ -15,7 +15,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -351,6 +350,12 @@ int vtkNBufferDivision::DrawAgain(int place, const std::function<int()>& drawWho
 {
   Entry* entry = this->Find(place);
   return entry && entry->IsActive ? entry->Prop->DrawAgain(drawWhole) : drawWhole();
+}
+
+bool vtkNBufferDivision::HasDrawnAll(int place)
+{
+  const Entry* entry = this->Find(place);
+  return entry && entry->Prop->HasDrawnAll();
 }
 
 int vtkNBufferDivision::Render(int place, vtkRenderer* renderer)

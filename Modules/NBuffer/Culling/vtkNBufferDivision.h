@@ -74,8 +74,7 @@ public:
   bool HoldsUnits() const;
 
   ///@{
-  /// The number of units in the frustum, and how many of them are behind what the levels hold.
-  /// (Units of translucent props are left out.)
+  /// The number of units of opaque props in the frustum, and how many the levels hide.
   int CountInView() const;
   int CountHidden(const vtkNBufferLevels& levels) const;
   ///@}
@@ -123,6 +122,9 @@ public:
   int Draw(int place, const std::function<int()>& drawWhole);
   int DrawAgain(int place, const std::function<int()>& drawWhole);
   ///@}
+
+  /// Whether the last draw of a prop drew all of its units, because VTK has changed what it draws.
+  bool HasDrawnAll(int place);
 
   /// Draw a prop itself; `drawWhole` calls this function.
   int Render(int place, vtkRenderer* renderer);

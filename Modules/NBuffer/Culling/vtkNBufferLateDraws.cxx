@@ -47,7 +47,13 @@ int vtkNBufferLateDraws::Draw(vtkRenderer* renderer, int place, int round, doubl
   {
     this->Drawn[i].MayTie = ties.value_or(true);
   }
-  return this->Division.Draw(place, drawWhole);
+  const int drawn = this->Division.Draw(place, drawWhole);
+  if (this->Division.HasDrawnAll(place))
+  {
+    this->Drawn.resize(first);
+    this->Drawn.push_back(this->Props.GetDrawn(place, round));
+  }
+  return drawn;
 }
 
 int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer, const std::vector<int>& heldBack)

@@ -99,6 +99,9 @@ public:
   /// Draw the actor itself; `drawWhole` calls this function.
   int Render(vtkRenderer* renderer) { return this->Hook.Render(this->Actor, renderer); }
 
+  /// Whether the last draw of units drew all of them, because VTK has changed what it draws.
+  bool HasDrawnAll() const { return this->Hook.IsStale(); }
+
   /// Whether the first draw of this frame has been made.
   bool IsBegun() const { return this->IsDrawn; }
 
