@@ -353,9 +353,10 @@ namespace
 int RunContest(vtkNBufferContest& contest, double first, double second)
 {
   int ofSecond = 0;
-  for (int i = 0; i < 2 * vtkNBufferContest::FramesOfEach; ++i)
+  for (int i = 0; i < vtkNBufferContest::SettlingFrames + 2 * vtkNBufferContest::FramesOfEach; ++i)
   {
-    EXPECT_EQ(contest.IsTimed(), i >= 2 * vtkNBufferContest::SettlingFrames);
+    EXPECT_EQ(contest.IsTimed(), i >= 3 * vtkNBufferContest::SettlingFrames);
+    EXPECT_TRUE(contest.UsesFirst() || i >= vtkNBufferContest::SettlingFrames);
     ofSecond += !contest.UsesFirst();
     contest.CountFrame(contest.UsesFirst() ? first : second);
   }
@@ -381,13 +382,13 @@ TEST(NBufferContest, TheFasterWayWinsForATerm)
 {
   vtkNBufferContest contest;
   for (const auto& [slower, term] :
-    { std::pair(102.0, 64), { 108.0, 96 }, { 200.0, 1200 }, { 900.0, 4096 } })
+    { std::pair(102.0, 64), { 108.0, 144 }, { 200.0, 1800 }, { 900.0, 4096 } })
   {
     EXPECT_EQ(RunContest(contest, slower, 100.0), vtkNBufferContest::FramesOfEach);
     EXPECT_EQ(RunTerm(contest, false), term);
   }
   EXPECT_EQ(RunContest(contest, 100.0, 150.0), vtkNBufferContest::FramesOfEach);
-  for (int i = 0; i < 600; ++i)
+  for (int i = 0; i < 900; ++i)
   {
     EXPECT_TRUE(contest.UsesFirst());
     EXPECT_FALSE(contest.IsTimed());
@@ -401,7 +402,7 @@ TEST(NBufferContest, TheFasterWayWinsForATerm)
 TEST(NBufferContest, OneSlowFrameDoesNotCount)
 {
   vtkNBufferContest contest;
-  for (int i = 0; i < 2 * vtkNBufferContest::SettlingFrames; ++i)
+  for (int i = 0; i < 3 * vtkNBufferContest::SettlingFrames; ++i)
   {
     contest.CountFrame(1000.0);
   }

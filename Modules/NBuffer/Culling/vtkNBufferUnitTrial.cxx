@@ -22,12 +22,13 @@ constexpr double LargestShare = 0.005;
 
 bool vtkNBufferContest::UsesFirst() const
 {
-  return this->Term > 0 ? this->FirstIsFaster : this->Frame % 2 == 0;
+  return this->Term > 0 ? this->FirstIsFaster
+                        : this->Frame < SettlingFrames || (this->Frame - SettlingFrames) % 2 == 0;
 }
 
 bool vtkNBufferContest::IsTimed() const
 {
-  return this->Term == 0 && this->Frame >= 2 * SettlingFrames;
+  return this->Term == 0 && this->Frame >= 3 * SettlingFrames;
 }
 
 void vtkNBufferContest::CountFrame(double milliseconds)
@@ -42,13 +43,13 @@ void vtkNBufferContest::CountFrame(double milliseconds)
     double& shortest = this->UsesFirst() ? this->First : this->Second;
     shortest = std::min(shortest, milliseconds);
   }
-  if (++this->Frame < 2 * FramesOfEach)
+  if (++this->Frame < SettlingFrames + 2 * FramesOfEach)
   {
     return;
   }
   this->FirstIsFaster = this->First <= this->Second;
   const auto [faster, slower] = std::minmax(this->First, this->Second);
-  const double lost = FramesOfEach * (slower - faster);
+  const double lost = (SettlingFrames + FramesOfEach) * (slower - faster);
   this->Term = lost < LongestTerm * LargestShare * faster
     ? std::max(static_cast<int>(lost / (LargestShare * faster)), +ShortestTerm)
     : LongestTerm;

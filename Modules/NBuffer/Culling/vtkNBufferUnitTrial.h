@@ -27,8 +27,9 @@ struct vtkNBufferSettings;
 struct vtkNBufferStatistics;
 
 /**
- * Compares the times of two ways of drawing, which take turns during a contest. The first frames of
- * a contest are not timed, because a frame depends on what was learned in earlier frames. The
+ * Compares the times of two ways of drawing. A contest begins with a few frames in the first way;
+ * then both take turns. Only the last frames of each are timed, because a frame depends on what was
+ * learned in earlier frames. The
  * faster way is then used for a term of many frames, after which the next contest begins. The term
  * is so long that the contest has made all these frames slower by 0.5 % at most, as long as it need
  * not be longer than LongestTerm. No OpenGL.
@@ -37,7 +38,8 @@ class VTKNBUFFER_EXPORT vtkNBufferContest
 {
 public:
   ///@{
-  /// How many frames of each way are not timed, how many are, and the sum of both.
+  /// When both take turns: how many frames of each are not timed, how many are, and the sum. As
+  /// many as are not timed are drawn in the first way before.
   static constexpr int SettlingFrames = vtkNBufferBackOff::PoorTestsBeforePause;
   static constexpr int TimedFrames = 3;
   static constexpr int FramesOfEach = SettlingFrames + TimedFrames;
