@@ -50,7 +50,7 @@ int vtkNBufferLateDraws::Draw(vtkRenderer* renderer, int place, int round, doubl
   const int drawn = this->Division.Draw(place, drawWhole);
   if (this->Division.HasDrawnAll(place))
   {
-    this->Drawn.resize(first);
+    this->Drawn.resize(first); // It may tie outside of its fresh units, too.
     this->Drawn.push_back(this->Props.GetDrawn(place, round));
   }
   return drawn;

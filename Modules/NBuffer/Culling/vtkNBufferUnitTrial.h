@@ -29,17 +29,16 @@ struct vtkNBufferStatistics;
 /**
  * Compares the times of two ways of drawing. A contest begins with a few frames in the first way;
  * then both take turns. Only the last frames of each are timed, because a frame depends on what was
- * learned in earlier frames. The
- * faster way is then used for a term of many frames, after which the next contest begins. The term
- * is so long that the contest has made all these frames slower by 0.5 % at most, as long as it need
- * not be longer than LongestTerm. No OpenGL.
+ * learned in earlier frames. The faster way is then used for a term of many frames, after which the
+ * next contest begins. The term is so long that the contest has made all these frames slower by
+ * 0.5 % at most, as long as it need not be longer than LongestTerm. No OpenGL.
  */
 class VTKNBUFFER_EXPORT vtkNBufferContest
 {
 public:
   ///@{
-  /// When both take turns: how many frames of each are not timed, how many are, and the sum. As
-  /// many as are not timed are drawn in the first way before.
+  /// While both ways take turns: how many frames of each are not timed, how many are timed, and the
+  /// sum. Before that SettlingFrames frames are drawn in the first way.
   static constexpr int SettlingFrames = vtkNBufferBackOff::PoorTestsBeforePause;
   static constexpr int TimedFrames = 3;
   static constexpr int FramesOfEach = SettlingFrames + TimedFrames;

@@ -127,7 +127,7 @@ private:
   ///@}
 
   std::shared_ptr<vtkNBufferBackend> Backend;
-  vtkNBufferBackOff BackOffs[2]; ///< For frames without units on trial, and for others.
+  vtkNBufferBackOff BackOffs[2]; ///< If Division.Classify() returns false, or true.
   vtkNBufferBackOff* BackOff = nullptr;
   vtkNBufferCandidateList Props;
   vtkNBufferPartition Partition;
