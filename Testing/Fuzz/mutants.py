@@ -102,8 +102,8 @@ MUTANTS = {
         ("vtkNBufferCandidate.h", "(this->IsTranslucent() && !this->HasInstances)",
          "this->IsTranslucent()")],
     "units that are hidden stay hidden": [
-        (UNIT_CULLING, "this->Marks[n] |= Visible;",
-         "this->Marks[n] |= Visible; if (this->Turn % 2 == 0) { return; }")],
+        (UNIT_CULLING, "this->FreshUnits[unit] = !this->DrawnUnits[unit];",
+         "this->FreshUnits[unit] = !this->DrawnUnits[unit] && this->Turn % 2 != 0;")],
 
     # Triangles.
     "only one triangle of a mesh looked at": [

@@ -27,9 +27,9 @@ using LargeProps::WalkFromOutside;
 
 namespace
 {
-ComparisonOptions MakeGlyphOptions(int unitSize = 12)
+ComparisonOptions MakeGlyphOptions()
 {
-  return LargeProps::MakeOptionsWithoutDraws(unitSize);
+  return LargeProps::MakeOptionsWithoutDraws(12);
 }
 
 vtkSmartPointer<vtkPolyData> MakeCube(double length, bool withNormals = true)
@@ -539,10 +539,10 @@ TEST(CullerGlyphsPicking, SamePointsOfSeveralSources)
   LargeProps::ComparePicks(comparison, WalkFromOutside);
 }
 
-// The number of units, with DivideProps on and off.
+// Each instance is a unit, with DivideProps on and off.
 TEST(CullerGlyphsSettings, SizeAndSwitch)
 {
   Comparison comparison([](Stage& stage) { AddGlyphs(stage, MakeGlyphCloud(1000), MakeCube(2.5)); },
-    MakeGlyphOptions(48));
-  LargeProps::CompareSwitch(comparison, WalkFromOutside, 1000 / 2);
+    MakeGlyphOptions());
+  LargeProps::CompareSwitch(comparison, WalkFromOutside, 1000);
 }

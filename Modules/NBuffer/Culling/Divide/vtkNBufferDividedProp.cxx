@@ -136,12 +136,9 @@ void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
   }
   this->State = Phase::Building;
   this->Mesh = this->Hook.TakeMesh();
-  std::size_t size =
-    this->Hook.GetSource().HasBlocks() ? 1 : static_cast<std::size_t>(tuning.UnitSize);
-  if (this->Hook.GetSource().AreInstances)
-  {
-    size = vtkNBufferInstanceStream::GetUnitSize(this->Hook.GetSource().IndexCount, size);
-  }
+  const vtkNBufferDrawHook::Source& source = this->Hook.GetSource();
+  const bool isSingle = source.HasBlocks() || source.AreInstances;
+  const std::size_t size = isSingle ? 1 : static_cast<std::size_t>(tuning.UnitSize);
   // No other code uses the member Mesh until the units are made.
   this->Pending = std::async(tuning.DivideInBackground ? std::launch::async : std::launch::deferred,
     [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); });

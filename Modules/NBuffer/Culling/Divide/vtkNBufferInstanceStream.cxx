@@ -31,9 +31,6 @@ constexpr std::size_t MatrixSize = 16;
 constexpr std::size_t NormalMatrixSize = 9;
 constexpr std::size_t ColorSize = 4;
 
-/// The most instances in a unit. Larger groups have boxes that are seen more often.
-constexpr std::size_t LargestUnit = 2;
-
 /// Each vertex of an instance is rounded in two products of matrices. See Read().
 constexpr double Products = 2.0;
 
@@ -113,11 +110,6 @@ vtkIdType vtkNBufferInstanceStream::CountPolygons(vtkActor* actor)
   const double sum = std::accumulate(sources.begin(), sources.end(), 0.0,
     [&polygons](double before, int source) { return before + polygons[source + 1]; });
   return static_cast<vtkIdType>(std::min<double>(sum, VTK_INT_MAX));
-}
-
-std::size_t vtkNBufferInstanceStream::GetUnitSize(std::size_t indices, std::size_t unitSize)
-{
-  return std::clamp<std::size_t>(3 * unitSize / std::max<std::size_t>(indices, 1), 1, LargestUnit);
 }
 
 void vtkNBufferInstanceStream::Clear()

@@ -63,10 +63,6 @@ public:
   /// The number of polygons in all instances of an actor that may be divided; at most VTK_INT_MAX.
   static vtkIdType CountPolygons(vtkActor* actor);
 
-  /// How many instances make a unit, if the triangles of the source have `indices` indices and a
-  /// unit of a mesh has `unitSize` triangles.
-  static std::size_t GetUnitSize(std::size_t indices, std::size_t unitSize);
-
   /// Forget all instances. The window's context must be current.
   void Clear();
 

@@ -27,6 +27,14 @@ constexpr vtkIdType NodesPerThread = 4;
 
 /// In a new view, one in this many units of the frustum is drawn first.
 constexpr std::size_t NearestShare = 64;
+
+/**
+ * A unit that was dropped and is visible again in the next test is kept through this many tests
+ * that find it hidden. It owns a few pixels between other units, in some frames none. Whenever it
+ * is not kept, the test finds a hole there, and all units visible that the hole shows: of 200,000
+ * cubes in a cloud, 4,080 in each frame, where 270 have come into view.
+ */
+constexpr unsigned char MostPatience = 15;
 }
 
 /// The tests of one thread in a call of Test().
@@ -57,6 +65,7 @@ void vtkNBufferUnitCulling::SetUnits(vtkNBufferUnits units)
   this->Units = std::move(units);
   const std::size_t size = this->Units.GetSize();
   this->Marks.assign(size, 0);
+  this->Patience.assign(size, 0);
   this->DrawnUnits.assign(size, 0);
   this->FreshUnits.assign(size, 0);
   this->Tested = this->Seen = 0;
@@ -91,7 +100,7 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
   this->Number.Units = static_cast<int>(this->Units.GetSize());
   for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
   {
-    this->DrawnUnits[i] = this->Marks[i] == Visible;
+    this->DrawnUnits[i] = (this->Marks[i] & (Kept | Outside)) == Kept;
     this->Number.Outside += (this->Marks[i] & Outside) != 0;
     this->Number.Kept += this->DrawnUnits[i];
   }
@@ -103,8 +112,9 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
   else if (this->Number.Kept == 0 && inside > 0)
   {
     // VTK notices some changes only while it draws.
-    const auto first = std::find(this->Marks.begin(), this->Marks.end(), 0) - this->Marks.begin();
-    this->Keep(static_cast<std::size_t>(first));
+    const auto first = std::find_if(
+      this->Marks.begin(), this->Marks.end(), [](unsigned char mark) { return !(mark & Outside); });
+    this->Keep(static_cast<std::size_t>(first - this->Marks.begin()));
   }
 }
 
@@ -141,7 +151,7 @@ void vtkNBufferUnitCulling::KeepNearest(const vtkNBufferProjection& projection, 
   for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
   {
     vtkNBufferScreenBox screen;
-    if (this->Marks[i] == 0)
+    if (!(this->Marks[i] & (Kept | Outside)))
     {
       const bool isInside = projection.Project(this->MakeBox(this->Units.GetLevels()[0][i]),
                               screen) == vtkNBufferPlacement::Inside;
@@ -159,7 +169,7 @@ void vtkNBufferUnitCulling::KeepNearest(const vtkNBufferProjection& projection, 
 
 void vtkNBufferUnitCulling::Keep(std::size_t unit)
 {
-  this->Marks[unit] = Visible;
+  this->Marks[unit] = Kept;
   this->DrawnUnits[unit] = 1;
   ++this->Number.Kept;
 }
@@ -192,8 +202,8 @@ int vtkNBufferUnitCulling::Test(
   this->Number.Fresh =
     static_cast<int>(std::count(this->FreshUnits.begin(), this->FreshUnits.end(), 1));
   this->Tested = this->Number.Units - this->Number.Outside;
-  this->Seen = static_cast<int>(std::count_if(this->Marks.begin(), this->Marks.end(),
-    [](unsigned char mark) { return (mark & Visible) != 0; }));
+  this->Seen = static_cast<int>(std::count_if(
+    this->Marks.begin(), this->Marks.end(), [](unsigned char mark) { return (mark & Kept) != 0; }));
   return this->Number.Fresh;
 }
 
@@ -217,14 +227,13 @@ void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& te
     const std::size_t end = this->Units.GetEnd(level, n);
     for (std::size_t i = this->Units.GetBegin(level, n); i < end; ++i)
     {
-      this->Marks[i] &= static_cast<unsigned char>(~Visible);
+      this->SetHidden(i);
     }
     return;
   }
   if (level == 0)
   {
-    this->Marks[n] |= Visible;
-    this->FreshUnits[n] = !this->DrawnUnits[n];
+    this->SetVisible(n);
     return;
   }
   const std::size_t end =
@@ -233,6 +242,29 @@ void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& te
   {
     this->TestNode(level - 1, child, tests);
   }
+}
+
+void vtkNBufferUnitCulling::SetHidden(std::size_t unit)
+{
+  unsigned char& mark = this->Marks[unit];
+  const bool isDropped = (mark & Kept) != 0 && this->Patience[unit] == 0;
+  this->Patience[unit] -= this->Patience[unit] > 0;
+  mark &= static_cast<unsigned char>(~Dropped);
+  if (isDropped)
+  {
+    mark = static_cast<unsigned char>((mark & ~Kept) | Dropped);
+  }
+}
+
+void vtkNBufferUnitCulling::SetVisible(std::size_t unit)
+{
+  unsigned char& mark = this->Marks[unit];
+  if (mark & Dropped || this->Patience[unit] > 0)
+  {
+    this->Patience[unit] = MostPatience;
+  }
+  mark = static_cast<unsigned char>((mark & ~Dropped) | Kept);
+  this->FreshUnits[unit] = !this->DrawnUnits[unit];
 }
 
 vtkNBufferUnitAnswers::Answer vtkNBufferUnitCulling::TestBox(

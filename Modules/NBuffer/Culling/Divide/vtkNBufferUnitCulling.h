@@ -63,8 +63,8 @@ public:
   vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const;
 
   /// Test the frustum, and let the units that are drawn first count as drawn: those that the last
-  /// test found visible and, in a new view, the nearest ones. If any unit is in the frustum, at
-  /// least one is drawn.
+  /// test found visible, some that come and go, and, in a new view, the nearest ones. If any unit
+  /// is in the frustum, at least one is drawn.
   void FindKept(const vtkNBufferProjection& projection);
 
   /// Let no unit count as drawn. To be called before Test() if the prop has not been drawn.
@@ -109,13 +109,16 @@ private:
   /// What is known of a unit.
   enum Mark : unsigned char
   {
-    Visible = 1, ///< The last test found it visible.
-    Outside = 2  ///< It is outside of the view in this frame.
+    Kept = 1,    ///< It is drawn first, unless it is outside.
+    Outside = 2, ///< It is outside of the view in this frame.
+    Dropped = 4  ///< It was kept until the last test.
   };
 
   void MarkOutside(std::size_t level, std::size_t n, const vtkNBufferProjection& projection);
   void KeepNearest(const vtkNBufferProjection& projection, std::size_t limit);
   void Keep(std::size_t unit);
+  void SetHidden(std::size_t unit);
+  void SetVisible(std::size_t unit);
   struct Tests;
   void TestNode(std::size_t level, std::size_t n, Tests& tests);
   vtkNBufferUnitAnswers::Answer TestBox(std::size_t level, std::size_t n, Tests& tests) const;
@@ -125,11 +128,12 @@ private:
   vtkNBufferUnits Units;
   Rounding Errors;
   std::vector<unsigned char> Marks;      ///< One element for each unit.
+  std::vector<unsigned char> Patience;   ///< How many tests may find it hidden until it is dropped.
   std::vector<unsigned char> DrawnUnits; ///< Whether it has been drawn.
   std::vector<unsigned char> FreshUnits; ///< Whether it is to be drawn next.
   Counts Number;
   int Tested = 0;        ///< How many units the last test has tested.
-  int Seen = 0;          ///< How many of these it found visible.
+  int Seen = 0;          ///< How many units were kept after it.
   unsigned int Turn = 0; ///< Which of the drawn units are compared with pixels.
 };
 

@@ -197,29 +197,33 @@ void vtkNBufferUnits::MakeBoxes(const Mesh& mesh)
 
 std::vector<Box> vtkNBufferUnits::GetGroups(const std::vector<unsigned char>& marked) const
 {
+  std::vector<std::size_t> nodes; // The node of each group.
   std::vector<Box> groups;
-  for (std::size_t level = 0; level < this->Levels.size(); ++level)
+  for (std::size_t i = 0; i < marked.size(); ++i)
   {
-    groups.clear();
-    for (std::size_t n = 0; n < this->Levels[level].size(); ++n)
+    if (marked[i])
     {
-      Box group = GetEmpty();
-      for (std::size_t i = this->GetBegin(level, n); i < this->GetEnd(level, n); ++i)
-      {
-        if (marked[i])
-        {
-          Include(group, this->Levels[0][i]);
-        }
-      }
-      if (group.Low.x <= group.High.x)
-      {
-        groups.push_back(group);
-      }
+      nodes.push_back(i);
+      groups.push_back(this->Levels[0][i]);
     }
-    if (groups.size() <= MaximumNumberOfGroups)
+  }
+  while (groups.size() > MaximumNumberOfGroups)
+  {
+    std::size_t last = 0;
+    nodes[0] /= Fanout;
+    for (std::size_t n = 1; n < groups.size(); ++n)
     {
-      break;
+      if (nodes[n] / Fanout == nodes[last])
+      {
+        Include(groups[last], groups[n]);
+        continue;
+      }
+      ++last;
+      nodes[last] = nodes[n] / Fanout;
+      groups[last] = groups[n];
     }
+    nodes.resize(last + 1);
+    groups.resize(last + 1);
   }
   return groups;
 }
