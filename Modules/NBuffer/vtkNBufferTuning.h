@@ -43,7 +43,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// known (vtkNBufferOccluderChoice.h); 1 to 4194303. If 1/512 of the props held back is more,
   /// that number is the limit. The same limit holds after the first test, and it doubles with each
   /// further test. If a test leaves at most twice as many props as the limit, all of them are drawn
-  /// without another test.
+  /// without another test. Of a large prop only the nearest of the units that have become visible
+  /// are drawn before another test if they are more than 16 times RoundSize, and more than were
+  /// visible before.
   int RoundSize = 64;
 
   /// If a renderer has at least this many props, the culler uses a hierarchy over their boxes; 0
@@ -96,7 +98,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   bool AllowFloatTextures = true;
 
   /// Whether the verdicts of the last frame are used again while camera, window and props stay the
-  /// same.
+  /// same, from the first test on that finds nothing hidden of what was drawn before it.
   bool ReuseWhenStill = true;
 
   /// Whether the culler stops testing while tests find next to nothing hidden, except for a probe

@@ -104,6 +104,10 @@ MUTANTS = {
     "units that are hidden stay hidden": [
         (UNIT_CULLING, "this->FreshUnits[unit] = !this->DrawnUnits[unit];",
          "this->FreshUnits[unit] = !this->DrawnUnits[unit] && this->Turn % 2 != 0;")],
+    "units that are left to another test are not tested again": [
+        (DIVIDED, "this->Settled = this->IsDrawn && !this->Postponed;",
+         "this->Settled = this->IsDrawn;"),
+        (DIVIDED, "this->Settled = !this->Postponed;", "this->Settled = true;")],
 
     # Triangles.
     "only one triangle of a mesh looked at": [

@@ -200,6 +200,16 @@ TEST(CullerDecisions, AllAreHiddenByOtherProps)
     // Those that were drawn as a guess are drawn once more, and tested then.
     EXPECT_EQ(comparison.GetHidden(), i < 2 ? 60 - options.Tuning.RoundSize : 60) << i;
   }
+  // The same holds if the camera stands still after a cut.
+  comparison.Frame(
+    "away", [](Stage& stage) { stage.GetRenderer()->GetActiveCamera()->Yaw(180.0); });
+  Scenes::FrameOfWall(comparison, 0.0, "back");
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(comparison.GetDecision(), i < 3 ? Decision::Culled : Decision::Still) << i;
+    EXPECT_EQ(comparison.GetHidden(), i < 2 ? 60 - options.Tuning.RoundSize : 60) << i;
+    comparison.Frame("still");
+  }
 }
 
 // Hazard: VTK redraws at every expose event; a frame in which nothing has changed must not be

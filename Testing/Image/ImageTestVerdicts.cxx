@@ -147,7 +147,7 @@ struct VerdictKind : NamedCase
   int First = 0; ///< The number of the first part.
   int UnitsOfPlace = 1;
 };
-const VerdictKind KindsOfParts[] = { { "Instances", 1, 24, SetGlyphs, 0, 2 },
+const VerdictKind KindsOfParts[] = { { "Instances", 1, 12, SetGlyphs, 0, Copies },
   { "InstancesOfSeveralSources", 1, 12, SetGlyphsOfSeveralSources, 0, Copies },
   { "Blocks", 3, 4, SetBlocks, 1, Copies }, { "Triangles", 3, 4, nullptr },
   { "Points", 1, 4, nullptr } };

@@ -61,6 +61,77 @@ protected:
   vtkNBufferUnitCulling Culling;
 };
 
+// Hazard: after a cut everything is drawn that what was visible before does not hide.
+TEST(UnitsOfANewView, NearOnesBeforeOthers)
+{
+  // A fence of 20 x 20 triangles, and 10 behind each of them.
+  constexpr int columns = 20;
+  constexpr int layers = 11;
+  vtkNBufferUnits::Mesh mesh;
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int i = 0; i < columns * columns; ++i)
+    {
+      const double x = -1.0 + 2.0 * (i % columns) / columns;
+      const double y = -1.0 + 2.0 * (i / columns) / columns;
+      for (const glm::dvec2& corner : { glm::dvec2(0.0), glm::dvec2(0.09, 0.0), glm::dvec2(0.09) })
+      {
+        mesh.Indices.push_back(static_cast<unsigned int>(mesh.Points.size()));
+        mesh.Points.emplace_back(x + corner.x, y + corner.y, 0.05 * layer);
+      }
+    }
+  }
+  const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  constexpr int pixels = 10 * columns;
+  vtkNBufferProjection projection;
+  projection.Set(identity, pixels, pixels, 0x1p-24);
+  vtkNBufferUnitCulling culling;
+  culling.SetUnits(vtkNBufferUnits::Make(mesh, 1));
+  culling.SetRounding({ glm::dvec3(0.0), glm::dvec3(1.0), 0.0 });
+  const auto getLevels = [](float depth)
+  {
+    const std::vector<float> image(pixels * pixels, depth);
+    vtkNBufferLevels levels;
+    levels.BuildBase(image.data(), pixels, pixels, 1, vtkNBufferExtremum::Maximum);
+    levels.BuildLevels(8);
+    return levels;
+  };
+  const auto countInFence = [&culling](const std::vector<unsigned char>& marked)
+  {
+    int count = 0;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+    {
+      count += marked[i] && culling.GetUnits().GetLevels()[0][i].Low.z == 0.0F;
+    }
+    return count;
+  };
+  constexpr int size = columns * columns * layers;
+
+  // All that is known is wrong: the last frame was another view, in which a few were visible.
+  culling.FindKept(projection);
+  const int kept = culling.GetCounts().Kept;
+  EXPECT_EQ(kept, countInFence(culling.GetDrawn()));
+  EXPECT_GT(kept, columns * columns / 4);
+  EXPECT_LT(kept, size / 8);
+  EXPECT_EQ(culling.Test(projection, { getLevels(1.0F) }), size - kept);
+  EXPECT_TRUE(culling.PostponeFar(projection));
+  const int fresh = culling.CountFresh();
+  EXPECT_GT(fresh, columns * columns / 4);
+  EXPECT_LT(fresh, size / 8);
+  EXPECT_EQ(fresh, std::count(culling.GetFresh().begin(), culling.GetFresh().end(), 1));
+
+  // What has been left out is tested again, and what was drawn counts.
+  culling.AddFreshToDrawn();
+  const int left = columns * columns - countInFence(culling.GetDrawn());
+  EXPECT_EQ(culling.Test(projection, { getLevels(0.51F) }), left);
+  EXPECT_EQ(culling.GetCounts().Fresh, fresh + left);
+  EXPECT_FALSE(culling.PostponeFar(projection)) << "more have been drawn";
+  EXPECT_GT(culling.CountKeptInVain(), 0);
+  culling.AddFreshToDrawn();
+  culling.FindKept(projection);
+  EXPECT_EQ(culling.GetCounts().Kept, columns * columns);
+}
+
 TEST_F(UnitsThatAreKept, NotAfterATestFoundThemHidden)
 {
   EXPECT_TRUE(this->Draw(true));

@@ -201,14 +201,10 @@ bool vtkNBufferDivision::HoldsUnits() const
     });
 }
 
-int vtkNBufferDivision::CountInView() const
+bool vtkNBufferDivision::HasKeptInVain() const
 {
-  return std::accumulate(this->Entries.begin(), this->Entries.end(), 0,
-    [](int count, const Entry& entry)
-    {
-      const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
-      return entry.IsActive ? count + units.Units - units.Outside : count;
-    });
+  return std::any_of(this->Entries.begin(), this->Entries.end(),
+    [](const Entry& entry) { return entry.IsActive && entry.Prop->CountKeptInVain() > 0; });
 }
 
 int vtkNBufferDivision::CountHidden(const vtkNBufferLevels& levels) const
@@ -249,8 +245,10 @@ bool vtkNBufferDivision::Draws(int place)
   return entry && (entry->IsPending || entry->IsDrawnHere());
 }
 
-void vtkNBufferDivision::Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack)
+bool vtkNBufferDivision::Test(
+  const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack, int limit)
 {
+  bool isAll = true;
   for (Entry& entry : this->Entries)
   {
     const auto left = std::find(heldBack.begin(), heldBack.end(), entry.Place);
@@ -259,7 +257,12 @@ void vtkNBufferDivision::Test(const vtkNBufferDividedProp::Depth& depth, std::ve
     {
       continue;
     }
-    const int fresh = entry.Prop->Test(entry.Projection, depth);
+    const int fresh = entry.Prop->Test(entry.Projection, depth, limit);
+    if (entry.Prop->HasPostponed())
+    {
+      isAll = false;
+      continue;
+    }
     const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
     // A unit outside saves work as well: without division it is sent to the device.
     entry.BackOff.Learn(units.Units - units.Kept - units.Fresh, units.Units);
@@ -272,6 +275,7 @@ void vtkNBufferDivision::Test(const vtkNBufferDividedProp::Depth& depth, std::ve
       }
     }
   }
+  return isAll;
 }
 
 void vtkNBufferDivision::TestTranslucent(const vtkNBufferDividedProp::Depth& depth,
@@ -375,20 +379,13 @@ void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProj
     drawn.push_back(whole);
     return;
   }
-  const glm::dmat4 toWorld =
-    vtkNBufferGLM::ToMatrix(entry->Prop->GetActor()->GetMatrix()->GetData());
   for (const vtkNBufferUnits::Box& group : entry->Prop->GetFreshGroups())
   {
     vtkNBufferDrawnProp part = whole;
-    part.Box.SetPlace(toWorld, glm::dvec3(group.Low), glm::dvec3(group.High));
-    if (!this->Props.GetCandidate(place).IsCandidate())
-    {
-      // The box of the prop itself is an estimate of VTK.
-      const vtkNBufferBox box = entry->Prop->MakeBox(group);
-      part.KeepsScissor = true;
-      part.Box.Margin = box.Margin;
-      part.Box.SetRounding(toWorld, box.Origin, box.Magnitude);
-    }
+    // The box of a prop that is no candidate is an estimate of VTK.
+    const bool isCandidate = this->Props.GetCandidate(place).IsCandidate();
+    part.KeepsScissor = part.KeepsScissor || !isCandidate;
+    entry->Prop->SetPlace(group, !isCandidate, part.Box);
     part.Bounded = projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
     drawn.push_back(part);
   }

@@ -73,11 +73,8 @@ public:
   /// Whether any unit is held back while its prop is not.
   bool HoldsUnits() const;
 
-  ///@{
-  /// The number of units of opaque props in the frustum, and how many the levels hide.
-  int CountInView() const;
+  /// How many units of opaque props the levels hide.
   int CountHidden(const vtkNBufferLevels& levels) const;
-  ///@}
 
   /// Give the verdict Outside to props that are not held back and have no unit in the frustum.
   void MarkOutside();
@@ -95,9 +92,14 @@ public:
   /// The place of the prop given to Postpone(), or -1.
   int GetPostponed() const { return this->Postponed; }
 
+  /// Whether the last tests found units hidden that had been drawn.
+  bool HasKeptInVain() const;
+
   /// Test the units of the props that have been drawn, and of those in `heldBack`. Removes props
-  /// without visible units from `heldBack`.
-  void Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack);
+  /// without visible units from `heldBack`. Returns whether all visible units of the props that
+  /// have been drawn are fresh now; those of a prop may be left to the next test if they are more
+  /// than `limit`.
+  bool Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack, int limit);
 
   /// Test the units of the translucent props that are not hidden as a whole and for which
   /// `hasDrawn(place)` is false. Calls `hide(place)` for those without visible units.

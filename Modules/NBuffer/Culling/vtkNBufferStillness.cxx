@@ -15,6 +15,7 @@ bool vtkNBufferStillness::BeginFrame(
   changed = changed || !(this->Drawing == drawing) || this->TestSlivers != slivers ||
     this->IsShared != wasShared || this->ChangedWhileFrozen;
   this->ChangedWhileFrozen = frozen && changed;
-  return !changed && vtkNBufferCompatibility::ErasesDepth(renderer);
+  this->Same = !changed && vtkNBufferCompatibility::ErasesDepth(renderer);
+  return this->Same;
 }
 VTK_ABI_NAMESPACE_END

@@ -31,11 +31,15 @@ public:
   bool BeginFrame(
     vtkRenderer* renderer, const vtkNBufferSettings& settings, bool changed, bool frozen);
 
+  /// What BeginFrame() has returned.
+  bool IsSame() const { return this->Same; }
+
   /// How the renderer draws in this frame.
   const vtkNBufferCompatibility::DrawingSettings& GetDrawing() const { return this->Drawing; }
 
 private:
   vtkNBufferCompatibility::DrawingSettings Drawing;
+  bool Same = false;
   bool TestSlivers = false;
   bool IsShared = false;
   /// Whether anything has changed since the last frame that was not frozen.

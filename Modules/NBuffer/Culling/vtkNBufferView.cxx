@@ -73,9 +73,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const bool isSame = this->Stillness.BeginFrame(renderer, settings,
                         listChanged || this->Statistics.Refreshed > 0 || moved, frozen) &&
     !this->Props.GetTraits().UntrackedDepth;
-  // If the last test found kept props hidden, another test saves drawing them again.
-  const bool mayReuse =
-    complete && isSame && this->Settings.ReuseWhenStill && this->KeptInVain == 0;
+  const bool mayReuse = complete && isSame && this->Settings.ReuseWhenStill && !this->DrawsInVain;
   bool reuses = frozen || mayReuse;
   if (!reuses)
   {
@@ -214,6 +212,8 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   vtkNBufferDepthTest test(
     *this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
   const bool tested = this->DrawRounds(renderer, test, drawn);
+  this->DrawsInVain = this->KeptInVain > 0 || this->Division.HasKeptInVain() ||
+    (!this->Stillness.IsSame() && !this->Draws.Get().empty());
   const vtkNBufferClock clock;
   this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
     renderer, this->Partition, true, this->Tested.Samples, tested ? &test : nullptr);
@@ -275,15 +275,6 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
   return vtkNBufferDecision::None;
 }
 
-void vtkNBufferView::TestFirst(vtkNBufferDepthTest& test, std::vector<int>& left)
-{
-  // How many props are left decides whether pixels are read. The kept props, which are drawn
-  // already, are tested with the others, so that the verdict on a prop is the same if it was kept.
-  left.insert(left.begin(), this->Partition.GetKept().begin(), this->Partition.GetKept().end());
-  this->Statistics.PassedCoarseTest += test.RemoveHidden(left);
-  this->KeptInVain = this->Partition.TakeVisibleKept(left);
-}
-
 void vtkNBufferView::TestTranslucent(vtkNBufferDepthTest& test)
 {
   const auto hasDrawn = [this](int i) { return this->List.HasDrawnTranslucent(i); };
@@ -320,7 +311,8 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
 
   const auto first = vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
   const bool isNew = this->Partition.IsNew(this->Settings.Shared != nullptr);
-  test.SetCounts(this->Partition.GetSize() + this->Division.CountInView(),
+  this->Division.Count(this->Statistics);
+  test.SetCounts(this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside,
     isNew ? static_cast<int>(left.size()) : 0);
   if (isNew)
   {
@@ -355,18 +347,24 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     {
       this->Statistics.Tested = static_cast<int>(
         this->Partition.GetKept().size() + left.size() + this->Partition.GetTranslucent().size());
-      this->TestFirst(test, left);
+      // How many props are left decides whether pixels are read. The kept props, which are drawn
+      // already, are tested with the others, so that this does not change the verdict on a prop.
+      const std::vector<int>& kept = this->Partition.GetKept();
+      left.insert(left.begin(), kept.begin(), kept.end());
+      this->Statistics.PassedCoarseTest += test.RemoveHidden(left);
+      this->KeptInVain = this->Partition.TakeVisibleKept(left);
     }
     else
     {
       test.RemoveHidden(left);
     }
-    this->Division.Test(test.GetDepthOfUnits(), left);
-
     // Another round must save more props than it draws to be worth its read-back.
     const auto limit = first << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
-    if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
+    const bool isLast = this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds;
+    const bool areAllUnits = this->Division.Test(
+      test.GetDepthOfUnits(), left, isLast ? VTK_INT_MAX : this->Settings.RoundSize);
+    if ((left.size() <= 2 * limit && areAllUnits) || isLast)
     {
       this->TestTranslucent(test);
       draw(left);

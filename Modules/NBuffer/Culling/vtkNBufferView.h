@@ -117,7 +117,6 @@ private:
   int TestAndDraw(vtkRenderer* renderer);
   bool DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test, int& drawn);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
-  void TestFirst(vtkNBufferDepthTest& test, std::vector<int>& left);
   void TestTranslucent(vtkNBufferDepthTest& test);
   /// PrepareTest() for a pass that draws its list a second time in this frame. Returns whether the
   /// draws of the first time can be repeated.
@@ -145,6 +144,9 @@ private:
   vtkNBufferViewSetup Setup;
   vtkNBufferDepthSource Tested; ///< The depth that was tested last.
   int KeptInVain = 0; ///< How many kept props the last test found hidden after they were drawn.
+  /// Whether some of what the last frame has drawn is hidden, or may be hidden by what it has drawn
+  /// last. Another test in the same view then saves drawing it again.
+  bool DrawsInVain = false;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -11,6 +11,7 @@
 #include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -20,6 +21,9 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+/// Drawing one prop takes about as long as drawing this many units.
+static constexpr int UnitsPerProp = 16;
+
 vtkNBufferDividedProp::vtkNBufferDividedProp(vtkActor* actor, vtkNBufferDrawPass* pass)
   : Actor(actor)
   , Pass(pass)
@@ -64,7 +68,8 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, vtkOpenGLRenderWindow* wind
   this->Hook.BeginFrame(window, device);
   this->MinimumNumberOfUnitsOnDevice =
     static_cast<std::size_t>(tuning.MinimumNumberOfUnitsOnDevice);
-  this->IsDrawn = this->FreshIsNext = this->Settled = this->TestedOnDevice = false;
+  this->IsDrawn = this->FreshIsNext = this->Settled = this->Postponed = this->TestedOnDevice =
+    false;
   if (this->State == Phase::Waiting && this->StillFrames++ >= tuning.DivideAfter)
   {
     this->State = Phase::Reading;
@@ -170,7 +175,8 @@ vtkNBufferVerdict vtkNBufferDividedProp::GetVerdict(int part)
   return this->Culling.GetVerdict(primitive);
 }
 
-int vtkNBufferDividedProp::Test(const vtkNBufferProjection& projection, const Depth& depth)
+int vtkNBufferDividedProp::Test(
+  const vtkNBufferProjection& projection, const Depth& depth, int limit)
 {
   if (!this->IsDrawn)
   {
@@ -178,7 +184,9 @@ int vtkNBufferDividedProp::Test(const vtkNBufferProjection& projection, const De
   }
   const int fresh = this->TestUnits(projection, depth);
   this->FreshIsNext = fresh > 0;
-  this->Settled = this->IsDrawn;
+  this->Postponed =
+    this->IsDrawn && fresh / UnitsPerProp > limit && this->Culling.PostponeFar(projection);
+  this->Settled = this->IsDrawn && !this->Postponed;
   return fresh;
 }
 
@@ -245,10 +253,23 @@ int vtkNBufferDividedProp::Draw(const std::function<int()>& drawWhole)
   {
     return this->DrawAgain(drawWhole);
   }
-  this->Settled = true;
+  this->Settled = !this->Postponed;
   const int drawn = this->TryFresh(drawWhole);
   this->Culling.AddFreshToDrawn();
   return drawn;
+}
+
+void vtkNBufferDividedProp::SetPlace(
+  const vtkNBufferUnits::Box& bounds, bool withRounding, vtkNBufferBox& box) const
+{
+  const glm::dmat4 toWorld = vtkNBufferGLM::ToMatrix(this->Actor->GetMatrix()->GetData());
+  box.SetPlace(toWorld, glm::dvec3(bounds.Low), glm::dvec3(bounds.High));
+  if (withRounding)
+  {
+    const vtkNBufferBox ofMesh = this->Culling.MakeBox(bounds);
+    box.Margin = ofMesh.Margin;
+    box.SetRounding(toWorld, ofMesh.Origin, ofMesh.Magnitude);
+  }
 }
 
 int vtkNBufferDividedProp::TryFresh(const std::function<int()>& drawWhole)
@@ -273,7 +294,7 @@ void vtkNBufferDividedProp::AddTo(vtkNBufferStatistics& statistics) const
 
 bool vtkNBufferDividedProp::HasFewFresh() const
 {
-  return this->FreshIsNext && this->Culling.CountDrawn() > this->GetCounts().Fresh;
+  return this->FreshIsNext && this->Culling.CountDrawn() > this->Culling.CountFresh();
 }
 
 bool vtkNBufferDividedProp::IsDrawnInPart() const

@@ -81,8 +81,10 @@ public:
   /// Step 1 for a projection from the coordinates of the mesh.
   void FindKept(const vtkNBufferProjection& projection) { this->Culling.FindKept(projection); }
 
-  /// Step 3. Returns the number of fresh units.
-  int Test(const vtkNBufferProjection& projection, const Depth& depth);
+  /// Step 3. Returns the number of fresh units. If as many units as are worth more than `limit`
+  /// props are visible and have not been drawn, far ones may be left to another test after step 4
+  /// (HasPostponed()).
+  int Test(const vtkNBufferProjection& projection, const Depth& depth, int limit);
 
   /// Test all units of a translucent prop. Draws of this frame then draw those that are visible.
   void TestAll(const vtkNBufferProjection& projection, const Depth& depth);
@@ -109,17 +111,22 @@ public:
   /// what a test has found hidden stays hidden in this frame.
   bool IsSettled() const { return this->Settled; }
 
+  /// Whether the last test has left visible units to another one.
+  bool HasPostponed() const { return this->Postponed; }
+
+  /// How many units the tests of this frame have found hidden after they were drawn.
+  int CountKeptInVain() const { return this->Culling.CountKeptInVain(); }
+
   /// Bounds of the fresh units in the coordinates of the mesh, in a few groups of neighbours.
   std::vector<vtkNBufferUnits::Box> GetFreshGroups() const
   {
     return this->Culling.GetUnits().GetGroups(this->Culling.GetFresh());
   }
 
-  /// See vtkNBufferUnitCulling.
-  vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const
-  {
-    return this->Culling.MakeBox(bounds);
-  }
+  /// Place `box`, which is that of the actor, around bounds in the coordinates of the mesh. With
+  /// `withRounding` its bounds of rounding errors become those of the mesh as well.
+  void SetPlace(const vtkNBufferUnits::Box& bounds, bool withRounding, vtkNBufferBox& box) const;
+
   const Counts& GetCounts() const { return this->Culling.GetCounts(); }
 
   /// Add the units of this prop to the statistics, except UnitsHidden.
@@ -184,6 +191,7 @@ private:
   bool IsDrawn = false;
   bool FreshIsNext = false;
   bool Settled = false;
+  bool Postponed = false;
   bool TestedOnDevice = false; ///< The device has made the last test of this frame.
 };
 

@@ -7,6 +7,7 @@
 #include "vtkNBufferPixelTest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -25,8 +26,8 @@ constexpr int NewView = 4;
 /// The threads share the nodes of the highest level that is tested in groups of this size.
 constexpr vtkIdType NodesPerThread = 4;
 
-/// In a new view, one in this many units of the frustum is drawn first.
-constexpr std::size_t NearestShare = 64;
+/// Where little is known, about one in this many units is drawn first.
+constexpr double NearestShare = 16.0;
 
 /**
  * A unit that was dropped and is visible again in the next test is kept through this many tests
@@ -97,6 +98,7 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
       }
     });
   this->Number = {};
+  this->FreshBefore = this->KeptInVain = 0;
   this->Number.Units = static_cast<int>(this->Units.GetSize());
   for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
   {
@@ -107,9 +109,13 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
   const int inside = this->Number.Units - this->Number.Outside;
   if (NewView * this->Number.Kept < this->Seen || inside > NewView * this->Tested)
   {
-    this->KeepNearest(projection, static_cast<std::size_t>(inside) / NearestShare + 1);
+    const auto isOneOf = [this](std::size_t i) { return !(this->Marks[i] & (Kept | Outside)); };
+    for (const std::size_t i : this->FindNearest(projection, inside, isOneOf))
+    {
+      this->Keep(i);
+    }
   }
-  else if (this->Number.Kept == 0 && inside > 0)
+  if (this->Number.Kept == 0 && inside > 0)
   {
     // VTK notices some changes only while it draws.
     const auto first = std::find_if(
@@ -145,26 +151,47 @@ void vtkNBufferUnitCulling::MarkOutside(
   }
 }
 
-void vtkNBufferUnitCulling::KeepNearest(const vtkNBufferProjection& projection, std::size_t limit)
+template <typename Predicate>
+std::vector<std::size_t> vtkNBufferUnitCulling::FindNearest(
+  const vtkNBufferProjection& projection, int number, const Predicate& isOneOf)
 {
-  std::vector<std::pair<double, std::size_t>> nearest;
-  for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
-  {
-    vtkNBufferScreenBox screen;
-    if (!(this->Marks[i] & (Kept | Outside)))
+  const double width = projection.GetWidth();
+  const double height = projection.GetHeight();
+  const double side = std::max(std::sqrt(width * height * NearestShare / number), 1.0);
+  const auto columns = static_cast<std::size_t>(width / side) + 1;
+  const std::size_t squares = columns * (static_cast<std::size_t>(height / side) + 1);
+  // The square and the depth of each unit.
+  std::vector<std::pair<std::size_t, double>> places(this->Units.GetSize(), { squares, 0.0 });
+  this->RunInThreads(
+    [&](std::size_t level, std::size_t begin, std::size_t end)
     {
-      const bool isInside = projection.Project(this->MakeBox(this->Units.GetLevels()[0][i]),
-                              screen) == vtkNBufferPlacement::Inside;
-      nearest.emplace_back(isInside ? screen.Nearest : 0.0, i);
+      const std::size_t last = this->Units.GetEnd(level, end - 1);
+      for (std::size_t i = this->Units.GetBegin(level, begin); i < last; ++i)
+      {
+        vtkNBufferScreenBox screen;
+        if (isOneOf(i) &&
+          projection.Project(this->MakeBox(this->Units.GetLevels()[0][i]), screen) ==
+            vtkNBufferPlacement::Inside)
+        {
+          const vtkNBufferRectangle& pixels = screen.Pixels;
+          const double x = 0.5 * (pixels.X0 + pixels.X1) / side;
+          const double y = 0.5 * (pixels.Y0 + pixels.Y1) / side;
+          places[i] = { static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x),
+            screen.Nearest };
+        }
+      }
+    });
+  std::vector<std::size_t> nearest(squares, places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (places[i].first < squares)
+    {
+      std::size_t& unit = nearest[places[i].first];
+      unit = unit == places.size() || places[i].second < places[unit].second ? i : unit;
     }
   }
-  limit = std::min(limit, nearest.size());
-  std::nth_element(
-    nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(limit), nearest.end());
-  for (std::size_t k = 0; k < limit; ++k)
-  {
-    this->Keep(nearest[k].second);
-  }
+  nearest.erase(std::remove(nearest.begin(), nearest.end(), places.size()), nearest.end());
+  return nearest;
 }
 
 void vtkNBufferUnitCulling::Keep(std::size_t unit)
@@ -177,7 +204,7 @@ void vtkNBufferUnitCulling::Keep(std::size_t unit)
 void vtkNBufferUnitCulling::ClearDrawn()
 {
   std::fill(this->DrawnUnits.begin(), this->DrawnUnits.end(), 0);
-  this->Number.Kept = 0;
+  this->Number.Kept = this->FreshBefore = 0;
 }
 
 int vtkNBufferUnitCulling::Test(
@@ -199,12 +226,42 @@ int vtkNBufferUnitCulling::Test(
         this->TestNode(level, n, tests);
       }
     });
-  this->Number.Fresh =
-    static_cast<int>(std::count(this->FreshUnits.begin(), this->FreshUnits.end(), 1));
+  const auto fresh = std::count(this->FreshUnits.begin(), this->FreshUnits.end(), 1);
+  this->Number.Fresh = this->FreshBefore + static_cast<int>(fresh);
+  for (std::size_t i = 0; i < this->Marks.size(); ++i)
+  {
+    this->KeptInVain += this->DrawnUnits[i] && (this->Marks[i] & Dropped);
+  }
   this->Tested = this->Number.Units - this->Number.Outside;
   this->Seen = static_cast<int>(std::count_if(
     this->Marks.begin(), this->Marks.end(), [](unsigned char mark) { return (mark & Kept) != 0; }));
-  return this->Number.Fresh;
+  return static_cast<int>(fresh);
+}
+
+bool vtkNBufferUnitCulling::PostponeFar(const vtkNBufferProjection& projection)
+{
+  const int fresh = this->CountFresh();
+  if (fresh <= this->CountDrawn())
+  {
+    return false;
+  }
+  const std::vector<std::size_t> nearest = this->FindNearest(
+    projection, fresh, [this](std::size_t i) { return this->FreshUnits[i] != 0; });
+  for (std::size_t i = 0; i < this->FreshUnits.size(); ++i)
+  {
+    if (this->FreshUnits[i])
+    {
+      this->Marks[i] &= static_cast<unsigned char>(~Kept);
+    }
+  }
+  std::fill(this->FreshUnits.begin(), this->FreshUnits.end(), 0);
+  for (const std::size_t i : nearest)
+  {
+    this->FreshUnits[i] = 1;
+    this->Marks[i] |= Kept;
+  }
+  this->Number.Fresh = this->FreshBefore + static_cast<int>(nearest.size());
+  return true;
 }
 
 void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& tests)
@@ -341,6 +398,7 @@ void vtkNBufferUnitCulling::AddFreshToDrawn()
 {
   std::transform(this->FreshUnits.begin(), this->FreshUnits.end(), this->DrawnUnits.begin(),
     this->DrawnUnits.begin(), std::bit_or<unsigned char>());
+  this->FreshBefore = this->Number.Fresh;
 }
 
 int vtkNBufferUnitCulling::CountDrawn() const

@@ -76,6 +76,11 @@ public:
   int Test(const vtkNBufferProjection& projection, const Depth& depth,
     const vtkNBufferUnitAnswers* answers = nullptr);
 
+  /// If more units are fresh than have been drawn, let only the nearest ones stay fresh. They
+  /// probably hide most of the others, which have to be tested again once they are drawn. Returns
+  /// whether there are such others.
+  bool PostponeFar(const vtkNBufferProjection& projection);
+
   /// How many units are left if only nodes of the highest level that Test() tests are compared with
   /// the levels.
   std::size_t CountInDoubt(const vtkNBufferProjection& projection, const Depth& depth) const;
@@ -97,6 +102,12 @@ public:
   const std::vector<unsigned char>& GetFresh() const { return this->FreshUnits; }
   ///@}
 
+  /// How many units the tests of this frame have found hidden after they were drawn.
+  int CountKeptInVain() const { return this->KeptInVain; }
+
+  /// How many units GetFresh() marks.
+  int CountFresh() const { return this->Number.Fresh - this->FreshBefore; }
+
   /// How many units have been drawn in this frame.
   int CountDrawn() const;
 
@@ -115,7 +126,9 @@ private:
   };
 
   void MarkOutside(std::size_t level, std::size_t n, const vtkNBufferProjection& projection);
-  void KeepNearest(const vtkNBufferProjection& projection, std::size_t limit);
+  template <typename Predicate>
+  std::vector<std::size_t> FindNearest(
+    const vtkNBufferProjection& projection, int number, const Predicate& isOneOf);
   void Keep(std::size_t unit);
   void SetHidden(std::size_t unit);
   void SetVisible(std::size_t unit);
@@ -132,6 +145,8 @@ private:
   std::vector<unsigned char> DrawnUnits; ///< Whether it has been drawn.
   std::vector<unsigned char> FreshUnits; ///< Whether it is to be drawn next.
   Counts Number;
+  int FreshBefore = 0; ///< How many fresh units of this frame have been drawn.
+  int KeptInVain = 0;
   int Tested = 0;        ///< How many units the last test has tested.
   int Seen = 0;          ///< How many units were kept after it.
   unsigned int Turn = 0; ///< Which of the drawn units are compared with pixels.
