@@ -247,6 +247,10 @@ bool vtkNBufferUnitCulling::PostponeFar(const vtkNBufferProjection& projection)
   }
   const std::vector<std::size_t> nearest = this->FindNearest(
     projection, fresh, [this](std::size_t i) { return this->FreshUnits[i] != 0; });
+  if (nearest.empty())
+  {
+    return false; // All of them reach the near plane.
+  }
   for (std::size_t i = 0; i < this->FreshUnits.size(); ++i)
   {
     if (this->FreshUnits[i])
