@@ -543,3 +543,18 @@ TEST_F(FuzzRuns, ShadowsAfterStereo)
         "window": {"height": 42, "stereo": 4, "width": 159}})"));
   EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
 }
+
+// Nothing is in the view when the window is switched to stereo.
+TEST_F(FuzzRuns, StereoOfAnEmptyView)
+{
+  const Scenario scenario = FromJson(Parse(
+    R"({"changes": [
+          {"frame": 1, "kind": "Orientation", "target": 22, "values": [0.0, 0.0, 86.736025858764194]},
+          {"frame": 1, "kind": "Stereo", "values": [2.0]}],
+        "frames": 2,
+        "props": [{"id": 22, "shape": {
+          "center": [0.10081721259975213, -3.3306577205381109, -1.7114388440836377]}}],
+        "views": [{"focal_point": [6.0, 0.0, 0.0], "position": [6.0, 0.0, 15.3014083110324]}],
+        "window": {"width": 49}})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}

@@ -6,6 +6,7 @@
 #include "Judge.h"
 #include "ReversedDepth.h"
 #include "SceneBuilder.h"
+#include "ScenePasses.h"
 #include "SceneProps.h"
 #include "TestedBackend.h"
 #include "Tune.h"
@@ -20,7 +21,7 @@
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
-#include "vtkOpenGLFXAAPass.h"
+#include "vtkOpenGLCamera.h"
 
 #include <algorithm>
 #include <sstream>
@@ -42,29 +43,24 @@ void SetStereo(vtkRenderWindow* window, int type)
   }
 }
 
+/// VTK draws the first frame after a change of stereo with the matrices of the frame before, but
+/// only if it drew anything there. With a culler that may be nothing, where VTK alone draws props
+/// outside of the view. Here the camera keeps the matrices in any case.
+void KeepMatrices(vtkRenderer* renderer)
+{
+  if (auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera()))
+  {
+    vtkMatrix4x4* matrices[3] = {};
+    vtkMatrix3x3* normals = nullptr;
+    camera->GetKeyMatrices(renderer, matrices[0], normals, matrices[1], matrices[2]);
+  }
+}
+
 void SetSize(vtkRenderWindow* window, double width, double height)
 {
   constexpr double largest = 2048.0;
   window->SetSize(static_cast<int>(std::min(std::max(width, 1.0), largest)),
     static_cast<int>(std::min(std::max(height, 1.0), largest)));
-}
-
-/// VTK 9.1's pass keeps the shader of the old context, and ends the program with it.
-void ReplaceFXAAPass(vtkRenderer* renderer)
-{
-  if (auto* old = vtkOpenGLFXAAPass::SafeDownCast(renderer->GetPass()))
-  {
-    vtkNew<vtkOpenGLFXAAPass> pass;
-    pass->SetDelegatePass(old->GetDelegatePass());
-    renderer->SetPass(pass);
-  }
-}
-
-/// vtkShadowMapBakerPass bakes only after a change of props or lights. It does not notice that its
-/// maps went with the context, and ends the program where it reads them.
-void BakeShadowMapsAgain(vtkRenderer* renderer)
-{
-  renderer->GetLights()->Modified();
 }
 
 void SetUp(vtkRenderer* renderer, const Renderer& description, int index)
@@ -425,14 +421,17 @@ void Player::ApplyToWindow(const Change& change)
       this->Window->SetMultiSamples(static_cast<int>(value));
       break;
     case ChangeKind::Stereo:
+      for (const auto& renderer : this->Renderers)
+      {
+        KeepMatrices(renderer);
+      }
       SetStereo(this->Window, static_cast<int>(value));
       break;
     case ChangeKind::NewContext:
       this->Window->Finalize();
       for (const auto& renderer : this->Renderers)
       {
-        ReplaceFXAAPass(renderer);
-        BakeShadowMapsAgain(renderer);
+        RenewPasses(renderer);
       }
       break;
     case ChangeKind::PolygonOffset:

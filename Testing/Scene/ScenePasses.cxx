@@ -9,6 +9,7 @@
 #include "vtkDepthPeelingPass.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFramebufferPass.h"
+#include "vtkLightCollection.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
@@ -141,5 +142,16 @@ vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows)
     }
   }
   return nullptr;
+}
+
+void RenewPasses(vtkRenderer* renderer)
+{
+  if (auto* old = vtkOpenGLFXAAPass::SafeDownCast(renderer->GetPass()))
+  {
+    vtkNew<vtkOpenGLFXAAPass> pass;
+    pass->SetDelegatePass(old->GetDelegatePass());
+    renderer->SetPass(pass);
+  }
+  renderer->GetLights()->Modified();
 }
 }

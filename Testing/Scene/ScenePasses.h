@@ -10,6 +10,7 @@
 #include "Scenario.h"
 
 #include "vtkRenderPass.h"
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
 #include <initializer_list>
@@ -24,6 +25,11 @@ inline bool HasShadowVolumes(PassKind kind)
 {
   return kind == PassKind::ShadowVolumes || kind == PassKind::ShadowVolumesInSequence;
 }
+
+/// Prepares the pass of a renderer for another context. VTK 9.1's FXAA pass keeps the shader of the
+/// old one. vtkShadowMapBakerPass bakes only after a change of props or lights, and does not notice
+/// that its maps went with the context. Both would end the program.
+void RenewPasses(vtkRenderer* renderer);
 
 /// Makes a vtkCameraPass around a sequence of passes, as applications do.
 vtkSmartPointer<vtkRenderPass> MakeSequence(std::initializer_list<vtkRenderPass*> passes);
