@@ -58,18 +58,17 @@ struct LargeMesh
     {
       drawn[this->UnitOfPrimitive[static_cast<std::size_t>(primitive)]] = 1;
     }
-    std::vector<unsigned int> indices;
-    this->Units.GetIndices(drawn, this->Mesh.Indices, indices);
     vtkNew<vtkCellArray> cells;
     const auto corners = static_cast<vtkIdType>(this->Mesh.Corners);
-    cells->AllocateExact(
-      static_cast<vtkIdType>(indices.size()) / corners, static_cast<vtkIdType>(indices.size()));
     std::vector<vtkIdType> cell(this->Mesh.Corners);
-    for (std::size_t i = 0; i < indices.size(); i += this->Mesh.Corners)
+    for (const vtkNBufferUnits::Range& range : this->Units.GetRanges(drawn))
     {
-      std::copy_n(
-        indices.begin() + static_cast<std::ptrdiff_t>(i), this->Mesh.Corners, cell.begin());
-      cells->InsertNextCell(corners, cell.data());
+      for (std::size_t i = range.Begin; i < range.End; ++i)
+      {
+        std::copy_n(
+          this->Mesh.Indices.data() + this->Mesh.Corners * i, this->Mesh.Corners, cell.begin());
+        cells->InsertNextCell(corners, cell.data());
+      }
     }
     vtkNew<vtkPolyData> part;
     part->ShallowCopy(this->Data);

@@ -138,9 +138,10 @@ public:
   /// Whether large props are culled unit by unit: meshes of at least
   /// vtkNBufferTuning::MinimumNumberOfPrimitives triangles or points, whose units are groups of
   /// neighbours. A pass in the property keys lets VTK draw only units that may be seen, from its
-  /// own vertex buffers (vtkNBufferDrawHook.h says when a mesh is drawn whole). Takes 12 bytes per
-  /// triangle and, if the file does not list neighbours together, 4 more. With the OpenGL back-end
-  /// the device takes up to 28 bytes per triangle more for what it draws. Default: on.
+  /// own vertex buffers (vtkNBufferDrawHook.h says when a mesh is drawn whole). Takes at most 100
+  /// bytes per unit and, if the file does not list neighbours together, 4 per triangle; and OpenGL
+  /// has lists of what is drawn, twice 12 bytes per visible triangle and 108 per visible instance.
+  /// While units are made, once, it takes 24 bytes per point and 28 per triangle more. Default: on.
   vtkSetMacro(DivideProps, bool);
   vtkGetMacro(DivideProps, bool);
   vtkBooleanMacro(DivideProps, bool);

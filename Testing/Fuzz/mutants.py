@@ -93,8 +93,7 @@ MUTANTS = {
         (INSTANCES, "  Batch* batch = this->Find(GetKey(mapper, stream));",
          "  Batch* batch = this->Batches.front().get();")],
     "instances of a source counted from the first source": [
-        (INSTANCES, "part.push_back(*begin / 2 - first);",
-         "part.push_back(std::min<std::size_t>(*begin / 2, end - first - 1));")],
+        (INSTANCES, "{ batch.First, batch.First + batch.Size }", "{ 0, batch.Size }")],
     "translucent units not tested in this frame": [
         (DIVIDED, "  this->Culling.ClearDrawn();\n  this->TestUnits(projection, depth);\n",
          "  (void)projection;\n  (void)depth;\n")],

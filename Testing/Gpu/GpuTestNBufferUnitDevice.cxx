@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Compute shaders find the same units hidden as the host, and make the same lists.
+// Compute shaders find the same units hidden as the host, and both make the same lists.
+#include "vtkNBufferHostList.h"
 #include "vtkNBufferTexture.h"
 #include "vtkNBufferUnitCulling.h"
 #include "vtkNBufferUnitDevice.h"
@@ -14,6 +15,7 @@
 #include "vtkMatrix4x4.h"
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <tuple>
 
@@ -30,7 +32,8 @@ protected:
   void SetUp() override
   {
     WindowFixture::SetUp();
-    if (!this->IsSkipped() && !this->Device.Begin(this->Window, vtkNBufferBackend::OpenGL))
+    if (!this->IsSkipped() && this->NeedsDevice() &&
+      !this->Device.Begin(this->Window, vtkNBufferBackend::OpenGL))
     {
       GTEST_SKIP() << this->Device.GetError();
     }
@@ -42,6 +45,8 @@ protected:
     this->List.Object.Delete();
     WindowFixture::TearDown();
   }
+
+  virtual bool NeedsDevice() const { return true; }
 
   /// Triangles in random places of a cube, or in a row.
   void MakeMesh(std::size_t triangles, bool areInRow)
@@ -83,6 +88,15 @@ protected:
   vtkNBufferUnits::Mesh Mesh;
   vtkNBufferUnits Units;
 };
+
+template <typename T>
+void WriteBuffer(unsigned int buffer, const std::vector<T>& values)
+{
+  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(T)),
+    values.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
 
 /// Copies `size` values of a buffer.
 template <typename T>
@@ -202,10 +216,58 @@ TEST_P(GpuTestNBufferUnitAnswers, AreThoseOfTheHost)
 INSTANTIATE_TEST_SUITE_P(Views, GpuTestNBufferUnitAnswers,
   ::testing::Values(View(4, 3.0, 0.0), View(1, 3.0, 2.0), View(4, 0.7, 0.0), View(2, 0.6, 0.0)));
 
-using GpuTestNBufferUnitList = UnitDeviceFixture;
+/// The device, or the host, makes lists.
+class GpuTestNBufferUnitList
+  : public UnitDeviceFixture
+  , public testing::WithParamInterface<bool>
+{
+protected:
+  using Records = vtkNBufferUnitDevice::Records;
+
+  bool NeedsDevice() const override { return this->GetParam(); }
+
+  /// Make a list of those of `size` primitives from number `first` on that are marked, each of
+  /// which is drawn by so many indices, as an instance if `areInstances` is true. Returns how many
+  /// primitives are drawn.
+  std::size_t MakeList(const std::vector<unsigned char>& marked, std::size_t first,
+    std::size_t size, const std::vector<Records>& records, std::size_t indices, bool areInstances)
+  {
+    const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
+    std::optional<std::size_t> onHost;
+    const vtkNBufferUnitDevice::Choice choice = { &this->Units, &marked, &this->OnDevice };
+    if (!this->GetParam())
+    {
+      onHost =
+        vtkNBufferHostList::Copy(this->Units.GetRanges(marked), { first, first + size }, records);
+      EXPECT_TRUE(onHost.has_value());
+    }
+    else if (areInstances)
+    {
+      this->Device.MakeList(choice, first, size, records, indices, this->List);
+    }
+    else
+    {
+      this->Device.MakeList(choice, size, records.front(), this->List);
+    }
+    EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
+    if (onHost)
+    {
+      return *onHost;
+    }
+    const auto command = ReadBuffer<unsigned int>(this->List.Object.GetName(), 5);
+    const unsigned int count = areInstances ? command[1] : command[0] / 3;
+    const auto perPrimitive = static_cast<unsigned int>(indices);
+    EXPECT_EQ(command,
+      areInstances ? (std::vector<unsigned int>{ perPrimitive, count, 0, 0, 0 })
+                   : (std::vector<unsigned int>{ perPrimitive * count, 1, 0, 0, 0 }));
+    return count;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(By, GpuTestNBufferUnitList, testing::Values(true, false),
+  [](const auto& info) { return std::string(info.param ? "Device" : "Host"); });
 
 // The sizes are those at which the numbers of work groups change.
-TEST_F(GpuTestNBufferUnitList, HasTheTrianglesInTheOrderOfTheHost)
+TEST_P(GpuTestNBufferUnitList, HasTheTrianglesInTheirOrder)
 {
   for (const std::size_t size : { 20u, 2047u, 2048u, 2049u, 3u * 2048u + 1u, 600001u })
   {
@@ -213,23 +275,24 @@ TEST_F(GpuTestNBufferUnitList, HasTheTrianglesInTheOrderOfTheHost)
     {
       SCOPED_TRACE(testing::Message() << size << (areInRow ? " in a row" : ""));
       this->MakeMesh(size, areInRow);
+      const std::vector<std::uint32_t> units = this->Units.GetUnitsOfPrimitives();
       vtkNBufferGL::Buffer all;
       vtkNBufferGL::Buffer some;
-      vtkNBufferGL::AllocateStorage(
-        all.Create(), this->Mesh.Indices.size() * sizeof(unsigned int), this->Mesh.Indices.data());
+      WriteBuffer(all.Create(), this->Mesh.Indices);
       for (const std::vector<unsigned char>& marked :
         { this->MarkSome(1), this->MarkSome(2), std::vector<unsigned char>(this->Units.GetSize()) })
       {
         std::vector<unsigned int> expected;
-        this->Units.GetIndices(marked, this->Mesh.Indices, expected);
-        const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-        this->Device.MakeList({ &this->Units, &marked, &this->OnDevice }, size,
-          { all.GetName(), some.Create(), 3 }, this->List);
-        EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
-        const std::vector<unsigned int> command =
-          ReadBuffer<unsigned int>(this->List.Object.GetName(), 5);
-        const auto count = static_cast<unsigned int>(expected.size());
-        EXPECT_EQ(command, (std::vector<unsigned int>{ count, 1, 0, 0, 0 }));
+        for (std::size_t i = 0; i < 3 * size; ++i)
+        {
+          if (marked[units[i / 3]])
+          {
+            expected.push_back(this->Mesh.Indices[i]);
+          }
+        }
+        const std::size_t count =
+          this->MakeList(marked, 0, size, { { all.GetName(), some.Create(), 3 } }, 3, false);
+        EXPECT_EQ(3 * count, expected.size());
         EXPECT_EQ(ReadBuffer<unsigned int>(some.GetName(), expected.size()), expected);
       }
     }
@@ -237,7 +300,7 @@ TEST_F(GpuTestNBufferUnitList, HasTheTrianglesInTheOrderOfTheHost)
 }
 
 // Instances of the second source of a glyph mapper: not from the first one on, with two buffers.
-TEST_F(GpuTestNBufferUnitList, HasTheInstancesOfOneSource)
+TEST_P(GpuTestNBufferUnitList, HasTheInstancesOfOneSource)
 {
   constexpr std::size_t first = 5000;
   constexpr std::size_t size = 12345;
@@ -251,10 +314,8 @@ TEST_F(GpuTestNBufferUnitList, HasTheInstancesOfOneSource)
     colors.push_back(3 * i);
   }
   vtkNBufferGL::Buffer buffers[4];
-  vtkNBufferGL::AllocateStorage(
-    buffers[0].Create(), matrices.size() * sizeof(float), matrices.data());
-  vtkNBufferGL::AllocateStorage(
-    buffers[1].Create(), colors.size() * sizeof(std::uint32_t), colors.data());
+  WriteBuffer(buffers[0].Create(), matrices);
+  WriteBuffer(buffers[1].Create(), colors);
   for (const unsigned int seed : { 5u, 6u, 7u })
   {
     const std::vector<unsigned char> marked = this->MarkSome(seed);
@@ -268,15 +329,23 @@ TEST_F(GpuTestNBufferUnitList, HasTheInstancesOfOneSource)
         expectedColors.push_back(colors[i]);
       }
     }
-    this->Device.MakeList({ &this->Units, &marked, &this->OnDevice }, first, size,
+    const std::size_t count = this->MakeList(marked, first, size,
       { { buffers[0].GetName(), buffers[2].Create(), 16 },
         { buffers[1].GetName(), buffers[3].Create(), 1 } },
-      36, this->List);
-    const auto count = static_cast<unsigned int>(expectedColors.size());
-    EXPECT_EQ(ReadBuffer<unsigned int>(this->List.Object.GetName(), 5),
-      (std::vector<unsigned int>{ 36, count, 0, 0, 0 }));
+      36, true);
+    EXPECT_EQ(count, expectedColors.size());
     EXPECT_EQ(ReadBuffer<float>(buffers[2].GetName(), expectedMatrices.size()), expectedMatrices);
     EXPECT_EQ(
       ReadBuffer<std::uint32_t>(buffers[3].GetName(), expectedColors.size()), expectedColors);
   }
+}
+
+// Points that VTK draws without an index buffer.
+using GpuTestNBufferHostList = WindowFixture;
+TEST_F(GpuTestNBufferHostList, HasNumbersIfThereAreNoIndices)
+{
+  vtkNBufferGL::Buffer list;
+  EXPECT_EQ(
+    vtkNBufferHostList::Copy({ { 2, 4 }, { 7, 8 } }, { 0, 9 }, { { 0, list.Create(), 1 } }), 3U);
+  EXPECT_EQ(ReadBuffer<unsigned int>(list.GetName(), 3), (std::vector<unsigned int>{ 2, 3, 7 }));
 }

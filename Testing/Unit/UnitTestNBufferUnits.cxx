@@ -78,6 +78,19 @@ Mesh Shuffle(const Mesh& mesh)
   return result;
 }
 
+/// The indices of the units that are marked, in the order of drawing.
+std::vector<unsigned int> GetIndices(
+  const vtkNBufferUnits& units, const Mesh& mesh, const std::vector<unsigned char>& drawn)
+{
+  std::vector<unsigned int> indices;
+  for (const auto& [begin, end] : units.GetRanges(drawn))
+  {
+    const unsigned int* all = mesh.Indices.data();
+    indices.insert(indices.end(), all + mesh.Corners * begin, all + mesh.Corners * end);
+  }
+  return indices;
+}
+
 /// The indices of each single unit.
 std::vector<std::vector<unsigned int>> GetAllUnits(const vtkNBufferUnits& units, const Mesh& mesh)
 {
@@ -86,7 +99,7 @@ std::vector<std::vector<unsigned int>> GetAllUnits(const vtkNBufferUnits& units,
   {
     std::vector<unsigned char> drawn(units.GetSize());
     drawn[unit] = 1;
-    units.GetIndices(drawn, mesh.Indices, all[unit]);
+    all[unit] = GetIndices(units, mesh, drawn);
   }
   return all;
 }
@@ -123,9 +136,9 @@ TEST_P(Units, EachPrimitiveIsInOneUnitAndInItsBox)
     }
   }
   EXPECT_EQ(total, mesh.Indices.size());
-  std::vector<unsigned int> whole;
-  units.GetIndices(std::vector<unsigned char>(units.GetSize(), 1), mesh.Indices, whole);
-  EXPECT_EQ(whole, mesh.Indices) << "all units are the mesh in its own order";
+  const std::vector<unsigned char> drawn(units.GetSize(), 1);
+  EXPECT_EQ(GetIndices(units, mesh, drawn), mesh.Indices)
+    << "all units are the mesh in its own order";
 }
 
 TEST_P(Units, AreFoundByTheirPrimitives)
@@ -157,8 +170,7 @@ TEST_P(Units, KeepTheOrderOfDrawing)
   {
     drawn[i] = 1;
   }
-  std::vector<unsigned int> some;
-  units.GetIndices(drawn, mesh.Indices, some);
+  const std::vector<unsigned int> some = GetIndices(units, mesh, drawn);
   ASSERT_GT(some.size(), mesh.Indices.size() / 4);
   std::size_t next = 0;
   for (std::size_t i = 0; i < some.size(); i += 3)
@@ -173,10 +185,10 @@ TEST_P(Units, KeepTheOrderOfDrawing)
 }
 
 // Hazard: a range lacks a primitive of the units, contains one of other units, or is out of order.
-TEST_P(Units, RangesAreThoseOfTheIndices)
+TEST_P(Units, RangesAreThoseOfTheUnits)
 {
   const Mesh mesh = this->Get();
-  const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 16);
+  vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 16);
   for (const std::size_t share : { 1, 2, 5, 1000 })
   {
     std::vector<unsigned char> drawn(units.GetSize());
@@ -184,20 +196,51 @@ TEST_P(Units, RangesAreThoseOfTheIndices)
     {
       drawn[i] = (i + 1) % share == 0 || (i + 2) % share == 0;
     }
-    std::vector<unsigned int> indices;
-    units.GetIndices(drawn, mesh.Indices, indices);
-    std::vector<unsigned int> found;
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < mesh.Indices.size() / 3; ++i)
+    {
+      if (drawn[units.FindUnit(i)])
+      {
+        expected.push_back(i);
+      }
+    }
+    std::vector<std::size_t> found;
     std::size_t last = 0;
     for (const auto& [begin, end] : units.GetRanges(drawn))
     {
       ASSERT_LT(begin, end);
       EXPECT_TRUE(found.empty() || begin > last) << "neighbours are joined, in order";
-      found.insert(found.end(), mesh.Indices.data() + 3 * begin, mesh.Indices.data() + 3 * end);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        found.push_back(i);
+      }
       last = end;
     }
-    EXPECT_EQ(found, indices);
-    EXPECT_EQ(indices.empty(), share == 1000);
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(found.empty(), share == 1000);
   }
+}
+
+// Hazard: primitives of a part, which is one source or one mapper of blocks, are those of another.
+TEST(UnitRanges, AreClippedToAPart)
+{
+  using Ranges = std::vector<std::pair<std::size_t, std::size_t>>;
+  const std::vector<vtkNBufferUnits::Range> ranges = { { 2, 5 }, { 7, 8 }, { 10, 20 } };
+  const auto clip = [&ranges](std::size_t begin, std::size_t end)
+  {
+    Ranges clipped;
+    for (const auto& [first, last] : vtkNBufferUnits::Clip(ranges, { begin, end }))
+    {
+      clipped.emplace_back(first, last);
+    }
+    return clipped;
+  };
+  EXPECT_EQ(clip(0, 30), (Ranges{ { 2, 5 }, { 7, 8 }, { 10, 20 } }));
+  EXPECT_EQ(clip(3, 12), (Ranges{ { 0, 2 }, { 4, 5 }, { 7, 9 } }));
+  EXPECT_EQ(clip(5, 10), (Ranges{ { 2, 3 } }));
+  EXPECT_EQ(clip(8, 10), Ranges{});
+  EXPECT_EQ(clip(12, 13), (Ranges{ { 0, 1 } }));
+  EXPECT_EQ(clip(20, 30), Ranges{});
 }
 
 // Hazard: an order of equal depths is not restored, because the group of a fresh unit is too small.

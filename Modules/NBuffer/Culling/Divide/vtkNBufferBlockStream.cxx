@@ -94,20 +94,21 @@ std::size_t vtkNBufferBlockStream::FindBlock(unsigned int flatIndex) const
   return found == this->Numbers.end() ? std::numeric_limits<std::size_t>::max() : found->second;
 }
 
-void vtkNBufferBlockStream::SetList(int list, const std::vector<unsigned int>& corners)
+void vtkNBufferBlockStream::SetList(int list, const std::vector<vtkNBufferUnits::Range>& ranges)
 {
   std::size_t first = 0;
-  auto next = corners.begin();
   for (Batch& batch : this->Batches)
   {
-    const std::size_t end = first + batch.Blocks.size();
+    const auto begin = batch.Blocks.begin();
     Map& blocks = batch.Lists[list];
     blocks.clear();
-    for (; next != corners.end() && *next < 2 * end; next += 2)
+    for (const vtkNBufferUnits::Range& range :
+      vtkNBufferUnits::Clip(ranges, { first, first + batch.Blocks.size() }))
     {
-      blocks.insert(blocks.end(), batch.Blocks[*next / 2 - first]);
+      blocks.insert(begin + static_cast<std::ptrdiff_t>(range.Begin),
+        begin + static_cast<std::ptrdiff_t>(range.End));
     }
-    first = end;
+    first += batch.Blocks.size();
   }
 }
 

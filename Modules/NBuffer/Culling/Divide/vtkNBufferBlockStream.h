@@ -65,9 +65,8 @@ public:
   /// Begin a frame, in which VTK has not drawn any blocks yet.
   void BeginFrame();
 
-  /// Let list 0 or 1 consist of the blocks whose corners have these indices in the mesh of boxes,
-  /// in ascending order.
-  void SetList(int list, const std::vector<unsigned int>& corners);
+  /// Let list 0 or 1 consist of the blocks with the numbers in these ranges, which ascend.
+  void SetList(int list, const std::vector<vtkNBufferUnits::Range>& ranges);
 
   /// Let the next draw of `mapper`, for which VTK is setting the shader parameters, draw only a
   /// list. Returns false, and does nothing, if the mapper is about to draw other blocks than those

@@ -152,7 +152,7 @@ void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
 void vtkNBufferDividedProp::Adopt()
 {
   this->Culling.SetUnits(this->Pending.get());
-  this->Mesh.Points = {};
+  this->Mesh = {};
   this->State = this->Culling.GetUnits().GetSize() == 0 ? Phase::Refused : Phase::Ready;
   if (this->State == Phase::Ready)
   {
@@ -236,7 +236,7 @@ int vtkNBufferDividedProp::DrawList(vtkNBufferDrawHook::List list,
   {
     return 0;
   }
-  this->Hook.SetList(list, this->Culling.GetUnits(), this->Mesh.Indices, marked);
+  this->Hook.SetList(list, this->Culling.GetUnits(), marked);
   const vtkNBufferDrawHook::Draw draw(&this->Hook, this->Actor, list);
   return drawWhole();
 }

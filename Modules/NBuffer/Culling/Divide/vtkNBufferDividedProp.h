@@ -184,7 +184,7 @@ private:
   vtkMTimeType BlockTime = 0; ///< The newest time of all blocks before they were read.
   bool IsOutdated = false;    ///< HasChangedBlocks() has been true.
   std::future<vtkNBufferUnits> Pending;
-  vtkNBufferUnits::Mesh Mesh; ///< The points are released when the units are made.
+  vtkNBufferUnits::Mesh Mesh; ///< Released when the units are made.
   vtkNBufferUnitCulling Culling;
   vtkNBufferUnitAnswers Answers; ///< Of the last test on the device.
   std::size_t MinimumNumberOfUnitsOnDevice = 1;

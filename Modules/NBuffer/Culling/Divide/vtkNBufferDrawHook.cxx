@@ -4,6 +4,7 @@
 
 #include "vtkNBufferDrawPass.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferHostList.h"
 #include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSplatStream.h"
 
@@ -15,6 +16,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <optional>
 #include <typeinfo>
 #include <utility>
 
@@ -102,45 +104,57 @@ bool vtkNBufferDrawHook::CanListOnDevice() const
     this->Read.HasIndices && this->Device->CanCopy(bytes);
 }
 
-void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
-  const std::vector<unsigned int>& indices, const std::vector<unsigned char>& marked)
+void vtkNBufferDrawHook::SetList(
+  List list, const vtkNBufferUnits& units, const std::vector<unsigned char>& marked)
 {
   this->Stale = false;
   Buffer& buffer = this->Buffers[list];
-  const bool canBeDrawn = !buffer.IsPending && (this->Device || !buffer.Choice.Units);
+  const bool canBeDrawn = !buffer.IsPending && (this->Device || !buffer.IsOnDevice);
   if (buffer.Marked == marked && canBeDrawn)
   {
     return;
   }
   buffer.Marked = marked;
-  buffer.Choice = {};
-  buffer.IsPending = this->CanListOnDevice();
-  if (buffer.IsPending)
-  {
-    buffer.Choice = { &units, &buffer.Marked, &this->OnDevice };
-    this->Instances.SetPending(list);
-    return;
-  }
-  if (this->Read.IsNumbered)
+  buffer.Choice = { &units, &buffer.Marked, &this->OnDevice };
+  buffer.IsOnDevice = this->CanListOnDevice();
+  buffer.Ranges.clear();
+  if (!buffer.IsOnDevice)
   {
     buffer.Ranges = units.GetRanges(marked);
-    return;
   }
-  units.GetIndices(marked, indices, buffer.Indices);
-  if (this->Read.AreInstances)
+  buffer.IsPending = !this->Read.IsNumbered && !this->Read.HasBlocks();
+  if (this->Read.HasBlocks())
   {
-    this->Instances.Upload(list, buffer.Indices);
+    this->Blocks.SetList(list, buffer.Ranges);
   }
-  else if (this->Read.HasBlocks())
+  else if (this->Read.AreInstances)
   {
-    this->Blocks.SetList(list, buffer.Indices);
+    this->Instances.SetPending(list);
   }
-  else
+}
+
+bool vtkNBufferDrawHook::MakeList(const Buffer& buffer, const vtkNBufferUnits::Range& part,
+  const std::vector<vtkNBufferUnitDevice::Records>& records, std::size_t indices,
+  vtkNBufferUnitDevice::List& list)
+{
+  const std::size_t size = part.End - part.Begin;
+  if (buffer.IsOnDevice)
   {
-    const bool isUploaded =
-      buffer.Object->Upload(buffer.Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
-    buffer.Object->IndexCount = isUploaded ? buffer.Indices.size() : 0;
+    if (this->Read.AreInstances)
+    {
+      this->Device->MakeList(buffer.Choice, part.Begin, size, records, indices, list);
+    }
+    else
+    {
+      this->Device->MakeList(buffer.Choice, size, records.front(), list);
+    }
+    return true;
   }
+  const std::optional<std::size_t> copied = vtkNBufferHostList::Copy(buffer.Ranges, part, records);
+  const std::size_t count = copied.value_or(0);
+  list.SetCommand({ static_cast<std::uint32_t>(this->Read.AreInstances ? indices : indices * count),
+    static_cast<std::uint32_t>(this->Read.AreInstances ? count : 1) });
+  return copied.has_value();
 }
 
 bool vtkNBufferDrawHook::IsAsRead(const Source& source)
@@ -198,22 +212,25 @@ void vtkNBufferDrawHook::SetStream(vtkAbstractMapper* mapper)
 
 bool vtkNBufferDrawHook::DrawIndices(Buffer& buffer, vtkOpenGLHelper* stream)
 {
-  const bool arePoints = this->Read.Corners == 1;
-  if (!buffer.Choice.Units)
-  {
-    return vtkNBufferOwnDraw::DrawIndices(buffer.Object, arePoints);
-  }
-  if (std::exchange(buffer.IsPending, false))
+  const std::size_t corners = this->Read.Corners;
+  if (buffer.IsPending)
   {
     buffer.Object->GenerateBuffer(vtkOpenGLBufferObject::ElementArrayBuffer);
-    const auto corners = static_cast<unsigned int>(this->Read.Corners);
-    this->Device->MakeList(buffer.Choice, this->Read.IndexCount / corners,
-      { static_cast<unsigned int>(stream->IBO->GetHandle()),
-        static_cast<unsigned int>(buffer.Object->GetHandle()), corners },
-      buffer.OnDevice);
+    const vtkNBufferUnitDevice::Records indices{
+      this->Read.HasIndices ? static_cast<unsigned int>(stream->IBO->GetHandle()) : 0,
+      static_cast<unsigned int>(buffer.Object->GetHandle()), static_cast<unsigned int>(corners)
+    };
+    this->Stale = !this->MakeList(
+      buffer, { 0, this->Read.IndexCount / corners }, { indices }, corners, buffer.Draw);
+    if (this->Stale)
+    {
+      return false;
+    }
+    buffer.IsPending = false;
+    buffer.Ranges = {}; // OpenGL has the list now.
   }
   buffer.Object->Bind();
-  buffer.OnDevice.Draw(arePoints ? GL_POINTS : GL_TRIANGLES);
+  buffer.Draw.Draw(corners == 1 ? GL_POINTS : GL_TRIANGLES);
   buffer.Object->Release();
   return true;
 }
@@ -248,7 +265,9 @@ void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
     {
       Buffer& buffer = this->Buffers[list];
       buffer.IsPending = false;
-      return this->Instances.Draw(list, mapper, stream, this->Device, buffer.Choice);
+      return this->Instances.Draw(list, mapper, stream,
+        [this, &buffer](const auto& part, const auto& records, std::size_t indices, auto& made)
+        { return this->MakeList(buffer, part, records, indices, made); });
     });
 }
 
@@ -302,7 +321,7 @@ void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
   for (Buffer& buffer : this->Buffers)
   {
     buffer.Object->ReleaseGraphicsResources();
-    buffer.OnDevice.Object.Delete();
+    buffer.Draw.SetCommand({});
     buffer.Marked.clear();
   }
   this->OnDevice.Delete();

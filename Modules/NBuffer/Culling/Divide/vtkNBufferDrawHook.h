@@ -125,11 +125,9 @@ public:
   vtkNBufferUnitDevice* GetDevice() const { return this->Device; }
   vtkNBufferUnitDevice::Buffers& GetBuffersOnDevice() { return this->OnDevice; }
 
-  /// Let draws of this list draw the primitives of the units that are marked. `indices` are those
-  /// of the whole mesh that was read last. The window's context must be current. `units` must
-  /// outlive the draws.
-  void SetList(List list, const vtkNBufferUnits& units, const std::vector<unsigned int>& indices,
-    const std::vector<unsigned char>& marked);
+  /// Let draws of this list draw the primitives of the units that are marked. `units`, which are
+  /// those of the mesh that was read last, must outlive the draws.
+  void SetList(List list, const vtkNBufferUnits& units, const std::vector<unsigned char>& marked);
 
   /// While an object of this class exists, draws of the actor draw only a list, provided that they
   /// have the source that was read last. Otherwise they draw everything.
@@ -157,12 +155,12 @@ private:
   struct Buffer
   {
     vtkNew<vtkOpenGLIndexBufferObject> Object;
-    std::vector<unsigned char> Marked;          ///< The units of which the list consists.
-    std::vector<vtkNBufferUnits::Range> Ranges; ///< The list, if primitives are numbered.
-    std::vector<unsigned int> Indices;          ///< Only SetList() uses it, again and again.
-    /// If the device makes the list, which it does when VTK draws for the first time.
-    vtkNBufferUnitDevice::List OnDevice;
-    vtkNBufferUnitDevice::Choice Choice; ///< Its Units are nullptr if the host makes the list.
+    vtkNBufferUnitDevice::List Draw;
+    std::vector<unsigned char> Marked; ///< The units of which the list consists.
+    /// The list, if primitives are numbered, or what the host makes it from.
+    std::vector<vtkNBufferUnits::Range> Ranges;
+    vtkNBufferUnitDevice::Choice Choice; ///< What the device makes the list from.
+    bool IsOnDevice = false;             ///< Whether the device makes the list.
     bool IsPending = false;              ///< Whether the next draw makes the list.
   };
 
@@ -173,6 +171,9 @@ private:
   void ReadSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source);
   bool IsAsRead(const Source& source);
   bool CanListOnDevice() const;
+  bool MakeList(const Buffer& buffer, const vtkNBufferUnits::Range& part,
+    const std::vector<vtkNBufferUnitDevice::Records>& records, std::size_t indices,
+    vtkNBufferUnitDevice::List& list);
   bool DrawIndices(Buffer& buffer, vtkOpenGLHelper* stream);
   void Restore();
 

@@ -37,46 +37,30 @@ constexpr double Products = 2.0;
 /// The number of points without an instance.
 constexpr unsigned int NoInstance = std::numeric_limits<unsigned int>::max();
 
-/// The first `size` values of a buffer of VTK, or all of them if the size is 0.
-template <typename T>
-std::vector<T> ReadBuffer(vtkOpenGLBufferObject* buffer, std::size_t size = 0)
+/// The size of a buffer of VTK.
+std::size_t GetBytes(vtkOpenGLBufferObject* buffer)
 {
   GLint bytes = 0;
-  if (buffer->GetHandle() == 0 || !buffer->Bind())
+  if (buffer->GetHandle() != 0 && buffer->Bind())
   {
-    return {};
+    glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
+    buffer->Release();
   }
-  glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
-  std::vector<T> values(static_cast<std::size_t>(bytes) / sizeof(T));
-  if (size == 0 || values.size() == size)
-  {
-    glGetBufferSubData(
-      GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data());
-  }
-  else
-  {
-    values.clear();
-  }
-  buffer->Release();
-  return values;
+  return static_cast<std::size_t>(bytes);
 }
 
-/// Upload the groups of `size` values at these places.
-template <typename T>
-void UploadPart(vtkOpenGLBufferObject* buffer, const std::vector<T>& all, std::size_t size,
-  const std::vector<std::size_t>& places)
+/// The floats of a buffer of VTK.
+std::vector<float> ReadBuffer(vtkOpenGLBufferObject* buffer)
 {
-  std::vector<T> part;
-  part.reserve(places.size() * size);
-  for (std::size_t i = 0; i < places.size() && !all.empty(); ++i)
+  std::vector<float> values(GetBytes(buffer) / sizeof(float));
+  if (!values.empty())
   {
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(places[i] * size);
-    part.insert(part.end(), begin, begin + static_cast<std::ptrdiff_t>(size));
+    buffer->Bind();
+    glGetBufferSubData(
+      GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data());
+    buffer->Release();
   }
-  if (!part.empty())
-  {
-    buffer->Upload(part, vtkOpenGLBufferObject::ArrayBuffer);
-  }
+  return values;
 }
 }
 
@@ -185,15 +169,15 @@ bool vtkNBufferInstanceStream::ReadBatch(
   vtkOpenGLGlyph3DHelper* mapper, Batch& batch, vtkNBufferUnits::Mesh& boxes)
 {
   const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
-  batch.Matrices = ReadBuffer<float>(buffers->Matrices);
-  const std::size_t size = batch.Matrices.size() / MatrixSize;
-  batch.Colors = ReadBuffer<unsigned char>(buffers->Colors, size * ColorSize);
-  batch.NormalMatrices = ReadBuffer<float>(buffers->NormalMatrices, size * NormalMatrixSize);
+  const std::vector<float> matrices = ReadBuffer(buffers->Matrices);
+  batch.First = boxes.Points.size() / 2;
+  batch.Size = matrices.size() / MatrixSize;
+  batch.HasNormals = batch.Size > 0 &&
+    GetBytes(buffers->NormalMatrices) == batch.Size * NormalMatrixSize * sizeof(float);
   vtkPolyData* source = mapper->CurrentInput;
-  const std::size_t first = boxes.Points.size() / 2;
-  const auto end = std::upper_bound(this->Ends.begin(), this->Ends.end(), first);
-  const bool isKnown = end != this->Ends.end() && first + size == *end &&
-    batch.Colors.size() == size * ColorSize && *end < NoInstance / 2;
+  const auto end = std::upper_bound(this->Ends.begin(), this->Ends.end(), batch.First);
+  const bool isKnown = end != this->Ends.end() && batch.First + batch.Size == *end &&
+    GetBytes(buffers->Colors) == batch.Size * ColorSize && *end < NoInstance / 2;
   if (!isKnown)
   {
     return false;
@@ -219,9 +203,9 @@ bool vtkNBufferInstanceStream::ReadBatch(
    * second order. The second product adds the 6 u sum_j |M_j| a_j + 4 u |M_3| of
    * vtkNBufferBoxError.h. Together this is E of that file with twice the magnitude, 2 a.
    */
-  for (std::size_t i = 0; i < size; ++i)
+  for (std::size_t i = 0; i < batch.Size; ++i)
   {
-    const glm::dmat4 toActor(glm::make_mat4(&batch.Matrices[i * MatrixSize]));
+    const glm::dmat4 toActor(glm::make_mat4(&matrices[i * MatrixSize]));
     vtkNBufferBox box;
     const glm::dvec3 magnitude = box.SetPlace(toActor, low, high);
     if (!vtkNBufferGLM::IsFinite(magnitude))
@@ -238,33 +222,11 @@ bool vtkNBufferInstanceStream::ReadBatch(
   return true;
 }
 
-void vtkNBufferInstanceStream::Upload(int list, const std::vector<unsigned int>& corners)
-{
-  std::size_t first = 0;
-  auto begin = corners.begin();
-  for (const auto& batch : this->Batches)
-  {
-    const std::size_t end = first + batch->GetSize();
-    std::vector<std::size_t> part; // The places of the chosen instances in this batch.
-    for (; begin != corners.end() && *begin < 2 * end; begin += 2)
-    {
-      part.push_back(*begin / 2 - first);
-    }
-    first = end;
-    List& target = batch->Lists[list];
-    target.Size = part.size();
-    target.IsOnDevice = target.IsPending = false;
-    UploadPart(target.Matrices, batch->Matrices, MatrixSize, part);
-    UploadPart(target.NormalMatrices, batch->NormalMatrices, NormalMatrixSize, part);
-    UploadPart(target.Colors, batch->Colors, ColorSize, part);
-  }
-}
-
 void vtkNBufferInstanceStream::SetPending(int list)
 {
   for (const auto& batch : this->Batches)
   {
-    batch->Lists[list].IsOnDevice = batch->Lists[list].IsPending = true;
+    batch->Lists[list].IsPending = true;
   }
 }
 
@@ -273,22 +235,16 @@ std::size_t vtkNBufferInstanceStream::GetLargestBuffer() const
   std::size_t largest = 0;
   for (const auto& batch : this->Batches)
   {
-    largest = std::max(largest, batch->Matrices.size() * sizeof(float));
+    largest = std::max(largest, batch->Size * MatrixSize * sizeof(float));
   }
   return largest;
 }
 
-void vtkNBufferInstanceStream::MakeOnDevice(Batch* batch, int number,
-  vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream, vtkNBufferUnitDevice* device,
-  const vtkNBufferUnitDevice::Choice& choice)
+bool vtkNBufferInstanceStream::MakeList(Batch& batch, int number, vtkOpenGLGlyph3DHelper* mapper,
+  vtkOpenGLHelper* stream, const Maker& make)
 {
-  std::size_t first = 0;
-  for (auto other = this->Batches.begin(); other->get() != batch; ++other)
-  {
-    first += (*other)->GetSize();
-  }
   const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
-  List& list = batch->Lists[number];
+  List& list = batch.Lists[number];
   std::vector<vtkNBufferUnitDevice::Records> records;
   const auto add =
     [&records](vtkOpenGLBufferObject* source, vtkOpenGLBufferObject* target, std::size_t bytes)
@@ -300,17 +256,17 @@ void vtkNBufferInstanceStream::MakeOnDevice(Batch* batch, int number,
   };
   add(buffers->Matrices, list.Matrices, MatrixSize * sizeof(float));
   add(buffers->Colors, list.Colors, ColorSize);
-  if (!batch->NormalMatrices.empty())
+  if (batch.HasNormals)
   {
     add(buffers->NormalMatrices, list.NormalMatrices, NormalMatrixSize * sizeof(float));
   }
-  device->MakeList(
-    choice, first, batch->GetSize(), records, stream->IBO->IndexCount, list.OnDevice);
-  list.IsPending = false;
+  list.IsPending =
+    !make({ batch.First, batch.First + batch.Size }, records, stream->IBO->IndexCount, list.Draw);
+  return !list.IsPending;
 }
 
-bool vtkNBufferInstanceStream::Draw(int number, vtkOpenGLGlyph3DHelper* mapper,
-  vtkOpenGLHelper* stream, vtkNBufferUnitDevice* device, const vtkNBufferUnitDevice::Choice& choice)
+bool vtkNBufferInstanceStream::Draw(
+  int number, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream, const Maker& make)
 {
   Batch* batch = this->Find(GetKey(mapper, stream));
   const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
@@ -320,26 +276,17 @@ bool vtkNBufferInstanceStream::Draw(int number, vtkOpenGLGlyph3DHelper* mapper,
     return false;
   }
   const List& list = batch->Lists[number];
-  if (list.IsPending)
+  if (list.IsPending && !MakeList(*batch, number, mapper, stream, make))
   {
-    this->MakeOnDevice(batch, number, mapper, stream, device, choice);
+    return false;
   }
-  if (list.IsOnDevice || list.Size > 0)
+  if (list.Draw.MayDraw())
   {
-    const bool withNormals = !batch->NormalMatrices.empty();
-    Attach(stream, withNormals, list.Matrices, list.NormalMatrices, list.Colors);
+    Attach(stream, batch->HasNormals, list.Matrices, list.NormalMatrices, list.Colors);
     stream->IBO->Bind();
-    if (list.IsOnDevice)
-    {
-      list.OnDevice.Draw(GL_TRIANGLES);
-    }
-    else
-    {
-      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(stream->IBO->IndexCount),
-        GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(list.Size));
-    }
+    list.Draw.Draw(GL_TRIANGLES);
     stream->IBO->Release();
-    Attach(stream, withNormals, buffers->Matrices, buffers->NormalMatrices, buffers->Colors);
+    Attach(stream, batch->HasNormals, buffers->Matrices, buffers->NormalMatrices, buffers->Colors);
   }
   return true;
 }
@@ -379,9 +326,8 @@ void vtkNBufferInstanceStream::ReleaseGraphicsResources()
       list.Matrices->ReleaseGraphicsResources();
       list.NormalMatrices->ReleaseGraphicsResources();
       list.Colors->ReleaseGraphicsResources();
-      list.OnDevice.Object.Delete();
-      list.Size = 0;
-      list.IsOnDevice = list.IsPending = false;
+      list.Draw.SetCommand({});
+      list.IsPending = false;
     }
   }
 }

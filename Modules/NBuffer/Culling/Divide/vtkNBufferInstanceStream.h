@@ -6,8 +6,8 @@
  *
  * vtkOpenGLGlyph3DMapper draws all instances of a source by one call of a vtkOpenGLGlyph3DHelper,
  * one source after the other. A matrix, a matrix of normals and a color for each instance are in
- * buffers of that mapper. This class reads the buffers, so that it need not know how VTK makes
- * them.
+ * buffers of that mapper. This class reads the matrices, so that it need not know how VTK makes
+ * them, and copies the records of chosen instances from buffer to buffer.
  *
  * VTK passes the number of instances to OpenGL itself, which cannot be changed. In the place of
  * VTK's draw (vtkNBufferOwnDraw), this class therefore attaches buffers with the chosen instances
@@ -20,8 +20,7 @@
  *
  * A mapper is not divided if it has a tree of sources, composite data, a mask, or VTK's own culling
  * of instances, or if a source does not consist of triangles alone. The instances are read again if
- * actor, mapper, data or a source change. The copy in host memory takes 108 bytes for each
- * instance.
+ * actor, mapper, data or a source change.
  */
 #ifndef vtkNBufferInstanceStream_h
 #define vtkNBufferInstanceStream_h
@@ -36,6 +35,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -49,6 +49,12 @@ class vtkOpenGLHelper;
 class vtkNBufferInstanceStream
 {
 public:
+  /// Makes a list of primitives of a range by copying their records. Each primitive is drawn by so
+  /// many indices, as an instance.
+  using Maker = std::function<bool(const vtkNBufferUnits::Range& part,
+    const std::vector<vtkNBufferUnitDevice::Records>& records, std::size_t indices,
+    vtkNBufferUnitDevice::List& list)>;
+
   vtkNBufferInstanceStream() = default;
   vtkNBufferInstanceStream(const vtkNBufferInstanceStream&) = delete;
   void operator=(const vtkNBufferInstanceStream&) = delete;
@@ -66,7 +72,7 @@ public:
   /// Forget all instances. The window's context must be current.
   void Clear();
 
-  /// Copy the instances of one source, which a mapper is about to draw from `stream`, and add their
+  /// Read the instances of one source, which a mapper is about to draw from `stream`, and add their
   /// boxes to the mesh. If it is not known which of them the mapper draws, the mesh gets and keeps
   /// 0 corners. `stream` may be nullptr, because then it is not known.
   void Read(vtkActor* actor, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream,
@@ -78,11 +84,7 @@ public:
   /// vtkNBufferBox::Magnitude of the boxes that were read since Clear(), in their coordinates.
   const glm::dvec3& GetMagnitude() const { return this->Magnitude; }
 
-  /// Let list 0 or 1 consist of the instances whose corners have these indices in the mesh of
-  /// boxes, in ascending order.
-  void Upload(int list, const std::vector<unsigned int>& corners);
-
-  /// Let the device make a list when it is drawn.
+  /// Let list 0 or 1 be made when it is drawn.
   void SetPending(int list);
 
   /// The bytes of the largest buffer that was read since Clear().
@@ -92,10 +94,9 @@ public:
   bool IsAsRead(vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream) const;
 
   /// Draw the part of a list that `mapper`, for whose draw VTK has bound everything, has of it. If
-  /// the list is pending, `device` makes it of the units that are chosen. Returns false, and draws
-  /// nothing, if VTK has yet to attach its buffers.
-  bool Draw(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream,
-    vtkNBufferUnitDevice* device, const vtkNBufferUnitDevice::Choice& choice);
+  /// the list is pending, `make` makes it (vtkNBufferDrawHook::MakeList()). Returns false, and
+  /// draws nothing, if VTK has yet to attach its buffers, or if the list cannot be made.
+  bool Draw(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream, const Maker& make);
 
   void ReleaseGraphicsResources();
 
@@ -105,10 +106,8 @@ private:
     vtkNew<vtkOpenGLBufferObject> Matrices;
     vtkNew<vtkOpenGLBufferObject> NormalMatrices;
     vtkNew<vtkOpenGLBufferObject> Colors;
-    std::size_t Size = 0; ///< The number of instances, if the host has made the list.
-    vtkNBufferUnitDevice::List OnDevice;
-    bool IsOnDevice = false;
-    bool IsPending = false; ///< Whether the device has yet to make the list.
+    vtkNBufferUnitDevice::List Draw;
+    bool IsPending = false; ///< Whether the list has yet to be made.
   };
 
   /// The mapper of a source, and when it uploaded what it draws. Two draws with equal keys draw the
@@ -131,20 +130,18 @@ private:
   struct Batch
   {
     Key Drawn;
-    std::vector<float> Matrices;       ///< 16 for each instance, column by column.
-    std::vector<float> NormalMatrices; ///< 9 for each instance, or none.
-    std::vector<unsigned char> Colors; ///< 4 for each instance.
+    std::size_t First = 0; ///< The number of its first instance.
+    std::size_t Size = 0;
+    bool HasNormals = false; ///< Whether the instances have matrices of normals.
     std::array<List, 2> Lists;
-
-    std::size_t GetSize() const { return this->Matrices.size() / 16; }
   };
 
   static Key GetKey(vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
   void ReadOrder(vtkGlyph3DMapper* mapper);
   bool ReadBatch(vtkOpenGLGlyph3DHelper* mapper, Batch& batch, vtkNBufferUnits::Mesh& boxes);
   Batch* Find(const Key& key) const;
-  void MakeOnDevice(Batch* batch, int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream,
-    vtkNBufferUnitDevice* device, const vtkNBufferUnitDevice::Choice& choice);
+  static bool MakeList(Batch& batch, int list, vtkOpenGLGlyph3DHelper* mapper,
+    vtkOpenGLHelper* stream, const Maker& make);
   static void Attach(vtkOpenGLHelper* stream, bool withNormals, vtkOpenGLBufferObject* matrices,
     vtkOpenGLBufferObject* normalMatrices, vtkOpenGLBufferObject* colors);
 

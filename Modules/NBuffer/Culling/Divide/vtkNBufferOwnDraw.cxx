@@ -83,15 +83,6 @@ bool vtkNBufferOwnDraw::NumbersPrimitives(vtkOpenGLHelper* stream)
   return stream->Program->IsUniformUsed(Offset);
 }
 
-bool vtkNBufferOwnDraw::DrawIndices(vtkOpenGLIndexBufferObject* indices, bool arePoints)
-{
-  indices->Bind();
-  glDrawElements(arePoints ? GL_POINTS : GL_TRIANGLES, static_cast<GLsizei>(indices->IndexCount),
-    GL_UNSIGNED_INT, nullptr);
-  indices->Release();
-  return indices->IndexCount > 0;
-}
-
 bool vtkNBufferOwnDraw::DrawRanges(
   const std::vector<vtkNBufferUnits::Range>& ranges, vtkOpenGLHelper* stream)
 {

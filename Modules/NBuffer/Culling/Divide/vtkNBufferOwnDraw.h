@@ -31,7 +31,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLHelper;
-class vtkOpenGLIndexBufferObject;
 
 class vtkNBufferOwnDraw
 {
@@ -52,13 +51,10 @@ public:
 
   void ReleaseGraphicsResources();
 
-  ///@{
-  /// Draw the primitives of a list of indices, or ranges of the primitives of a stream, when
-  /// everything else has been bound. Returns false if there are no primitives.
-  static bool DrawIndices(vtkOpenGLIndexBufferObject* indices, bool arePoints);
+  /// Draw ranges of the primitives of a stream, when everything else has been bound. Returns false
+  /// if there are none.
   static bool DrawRanges(
     const std::vector<vtkNBufferUnits::Range>& ranges, vtkOpenGLHelper* stream);
-  ///@}
 
   /// Whether the shader of a stream reads values by the numbers of primitives. To be called while
   /// VTK is setting the parameters of that shader.

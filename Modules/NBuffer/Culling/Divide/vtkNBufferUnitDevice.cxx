@@ -233,6 +233,12 @@ void vtkNBufferUnitDevice::Test(const vtkNBufferUnits& units, Buffers& buffers,
 
 void vtkNBufferUnitDevice::List::Draw(unsigned int mode) const
 {
+  if (this->Object.GetName() == 0)
+  {
+    glDrawElementsInstanced(mode, static_cast<GLsizei>(this->OfHost.Count), GL_UNSIGNED_INT,
+      nullptr, static_cast<GLsizei>(this->OfHost.Instances));
+    return;
+  }
   const int bound = vtkNBufferGL::GetInteger(GL_DRAW_INDIRECT_BUFFER_BINDING);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, this->Object.GetName());
   glDrawElementsIndirect(mode, GL_UNSIGNED_INT, nullptr);

@@ -93,13 +93,28 @@ public:
     std::uint32_t BaseInstance = 0;
   };
 
-  /// A list of primitives on the device.
+  /// How a list of primitives is drawn.
   struct List
   {
-    vtkNBufferGL::Buffer Object; ///< A Command.
+    vtkNBufferGL::Buffer Object; ///< A Command, if the device has made the list.
+    Command OfHost;              ///< If the host has made it.
+
+    /// Whether there may be anything to draw; only the device knows whether a list that it has made
+    /// has any primitives.
+    bool MayDraw() const
+    {
+      return this->Object.GetName() != 0 || (this->OfHost.Count > 0 && this->OfHost.Instances > 0);
+    }
 
     /// Draw the list, when everything else has been bound for glDrawElements().
     void Draw(unsigned int mode) const;
+
+    /// Draw what this command says from now on.
+    void SetCommand(const Command& command)
+    {
+      this->Object.Delete();
+      this->OfHost = command;
+    }
   };
 
   /// A buffer with a record for each primitive, and the one to which those of the list are copied.

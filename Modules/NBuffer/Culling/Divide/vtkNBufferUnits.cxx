@@ -153,11 +153,9 @@ vtkNBufferUnits vtkNBufferUnits::Make(const Mesh& mesh, std::size_t unitSize)
     return runs;
   }
   runs.UnitSize = unitSize;
-  runs.Corners = mesh.Corners;
   runs.MakeBoxes(mesh);
   vtkNBufferUnits groups;
   groups.UnitSize = unitSize;
-  groups.Corners = mesh.Corners;
   groups.Order = GetOrderInSpace(mesh, unitSize);
   groups.MakeBoxes(mesh);
   // The boxes of single primitives are the same in any order.
@@ -273,21 +271,29 @@ std::size_t FindLowestBit(std::uint64_t bits)
 }
 }
 
-template <typename Function>
-void vtkNBufferUnits::VisitRanges(
-  const std::vector<unsigned char>& drawn, const Function& visit) const
+std::vector<vtkNBufferUnits::Range> vtkNBufferUnits::GetRanges(
+  const std::vector<unsigned char>& drawn) const
 {
   const std::size_t size = this->NumberOfPrimitives;
+  std::vector<Range> ranges;
+  const auto add = [&ranges](std::size_t begin, std::size_t end)
+  {
+    if (ranges.empty() || begin > ranges.back().End)
+    {
+      ranges.push_back({ begin, end });
+    }
+    ranges.back().End = end;
+  };
   if (!this->AreSpatial())
   {
     for (std::size_t unit = 0; unit < this->GetSize(); ++unit)
     {
       if (drawn[unit])
       {
-        visit(unit * this->UnitSize, std::min((unit + 1) * this->UnitSize, size));
+        add(unit * this->UnitSize, std::min((unit + 1) * this->UnitSize, size));
       }
     }
-    return;
+    return ranges;
   }
   // One bit for each primitive puts the primitives of the units back into the order of drawing.
   constexpr std::size_t bits = 64;
@@ -305,43 +311,23 @@ void vtkNBufferUnits::VisitRanges(
     for (std::uint64_t left = marked[word]; left != 0; left &= left - 1)
     {
       const std::size_t primitive = word * bits + FindLowestBit(left);
-      visit(primitive, primitive + 1);
+      add(primitive, primitive + 1);
     }
   }
-}
-
-void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,
-  const std::vector<unsigned int>& mesh, std::vector<unsigned int>& indices) const
-{
-  // All units but the last have as many primitives.
-  const std::size_t units =
-    drawn.size() - static_cast<std::size_t>(std::count(drawn.begin(), drawn.end(), 0));
-  indices.resize(units * this->UnitSize * this->Corners);
-  std::size_t size = 0;
-  this->VisitRanges(drawn,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = this->Corners * begin; i < this->Corners * end; ++i)
-      {
-        indices[size++] = mesh[i];
-      }
-    });
-  indices.resize(size);
-}
-
-std::vector<vtkNBufferUnits::Range> vtkNBufferUnits::GetRanges(
-  const std::vector<unsigned char>& drawn) const
-{
-  std::vector<Range> ranges;
-  this->VisitRanges(drawn,
-    [&](std::size_t begin, std::size_t end)
-    {
-      if (ranges.empty() || begin > ranges.back().End)
-      {
-        ranges.push_back({ begin, end });
-      }
-      ranges.back().End = end;
-    });
   return ranges;
+}
+
+std::vector<vtkNBufferUnits::Range> vtkNBufferUnits::Clip(
+  const std::vector<Range>& ranges, const Range& part)
+{
+  std::vector<Range> clipped;
+  auto range = std::partition_point(
+    ranges.begin(), ranges.end(), [&part](const Range& other) { return other.End <= part.Begin; });
+  for (; range != ranges.end() && range->Begin < part.End; ++range)
+  {
+    clipped.push_back({ std::max(range->Begin, part.Begin) - part.Begin,
+      std::min(range->End, part.End) - part.Begin });
+  }
+  return clipped;
 }
 VTK_ABI_NAMESPACE_END

@@ -12,8 +12,8 @@
  *
  * Groups in space are the leaves of a k-d tree of the middles of the primitives: each part is split
  * across its longest side until it is a unit. They only say which primitives belong together:
- * GetIndices() and GetRanges() return the primitives of any set of units in the order in which the
- * mesh is drawn, because of several fragments of equal depth the last one drawn stays.
+ * GetRanges() returns the primitives of any set of units in the order in which the mesh is drawn,
+ * because of several fragments of equal depth the last one drawn stays.
  *
  * Level 0 of the hierarchy consists of the units. A node of a higher level bounds up to Fanout
  * nodes of the level below it:
@@ -94,14 +94,12 @@ public:
   }
   ///@}
 
-  /// Get the indices of all primitives whose units are marked in `drawn`, in the order of drawing.
-  /// `mesh` is the list of indices of which the units were made.
-  void GetIndices(const std::vector<unsigned char>& drawn, const std::vector<unsigned int>& mesh,
-    std::vector<unsigned int>& indices) const;
-
   /// Get the ranges of the primitives whose units are marked in `drawn`, in the order of drawing.
   /// Adjacent ranges are merged.
   std::vector<Range> GetRanges(const std::vector<unsigned char>& drawn) const;
+
+  /// Get the parts of ascending ranges that are in `part`, counted from its beginning.
+  static std::vector<Range> Clip(const std::vector<Range>& ranges, const Range& part);
 
   /// Get the bounds of the units that are marked, in a few groups of neighbours, at most 16.
   std::vector<Box> GetGroups(const std::vector<unsigned char>& marked) const;
@@ -119,11 +117,8 @@ public:
 
 private:
   void MakeBoxes(const Mesh& mesh);
-  template <typename Function>
-  void VisitRanges(const std::vector<unsigned char>& drawn, const Function& visit) const;
 
   std::size_t UnitSize = 1;
-  std::size_t Corners = 3;
   std::size_t NumberOfPrimitives = 0;
   std::vector<std::uint32_t> UnitOfPrimitive; ///< The table of FindUnit().
   std::vector<unsigned int> Order; ///< The primitives of all units; empty if units are runs.
