@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace
@@ -130,6 +131,24 @@ TEST(UnitsOfANewView, NearOnesBeforeOthers)
   culling.AddFreshToDrawn();
   culling.FindKept(projection);
   EXPECT_EQ(culling.GetCounts().Kept, columns * columns);
+
+  // From a little farther to the side the fence still hides the others, but not from behind.
+  const auto turn = [pixels](double degrees)
+  {
+    const double c = std::cos(glm::radians(degrees));
+    const double s = std::sin(glm::radians(degrees));
+    const double matrix[16] = { c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1 };
+    vtkNBufferProjection turned;
+    turned.Set(matrix, pixels, pixels, 0x1p-24);
+    return turned;
+  };
+  culling.FindKept(turn(10.0));
+  EXPECT_GT(culling.GetCounts().Kept, columns * columns * 3 / 4);
+  EXPECT_EQ(culling.GetCounts().Kept, countInFence(culling.GetDrawn()));
+  culling.FindKept(turn(180.0));
+  EXPECT_GT(culling.GetCounts().Kept, columns * columns / 4);
+  EXPECT_LT(culling.GetCounts().Kept, size / 8);
+  EXPECT_EQ(countInFence(culling.GetDrawn()), 0);
 }
 
 TEST_F(UnitsThatAreKept, NotAfterATestFoundThemHidden)

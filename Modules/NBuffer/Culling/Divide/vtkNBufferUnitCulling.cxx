@@ -7,7 +7,6 @@
 #include "vtkNBufferPixelTest.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -19,15 +18,8 @@ namespace
 /// groups of vtkNBufferUnits::Fanout.
 constexpr std::size_t Turns = 8;
 
-/// A view is new if less than 1/NewView of the units that the last test found visible are in the
-/// frustum, or if the frustum has more than NewView times as many units as that of the last test.
-constexpr int NewView = 4;
-
 /// The threads share the nodes of the highest level that is tested in groups of this size.
 constexpr vtkIdType NodesPerThread = 4;
-
-/// Where little is known, about one in this many units is drawn first.
-constexpr double NearestShare = 16.0;
 
 /**
  * A unit that was dropped and is visible again in the next test is kept through this many tests
@@ -69,7 +61,7 @@ void vtkNBufferUnitCulling::SetUnits(vtkNBufferUnits units)
   this->Patience.assign(size, 0);
   this->DrawnUnits.assign(size, 0);
   this->FreshUnits.assign(size, 0);
-  this->Tested = this->Seen = 0;
+  this->Choice.Clear();
 }
 
 vtkNBufferBox vtkNBufferUnitCulling::MakeBox(const vtkNBufferUnits::Box& bounds) const
@@ -81,6 +73,13 @@ vtkNBufferBox vtkNBufferUnitCulling::MakeBox(const vtkNBufferUnits::Box& bounds)
   box.Magnitude = this->Errors.Magnitude;
   box.Margin = this->Errors.Margin;
   return box;
+}
+
+bool vtkNBufferUnitCulling::Project(
+  const vtkNBufferProjection& projection, std::size_t unit, vtkNBufferScreenBox& screen) const
+{
+  return projection.Project(this->MakeBox(this->Units.GetLevels()[0][unit]), screen) ==
+    vtkNBufferPlacement::Inside;
 }
 
 void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
@@ -107,10 +106,23 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
     this->Number.Kept += this->DrawnUnits[i];
   }
   const int inside = this->Number.Units - this->Number.Outside;
-  if (NewView * this->Number.Kept < this->Seen || inside > NewView * this->Tested)
+  const bool isNew = this->Choice.IsNew(inside, this->Number.Kept);
+  const bool isFromElsewhere =
+    this->Choice.IsFromElsewhere(projection, this->Units, this->DrawnUnits);
+  if (isFromElsewhere)
   {
-    const auto isOneOf = [this](std::size_t i) { return !(this->Marks[i] & (Kept | Outside)); };
-    for (const std::size_t i : this->FindNearest(projection, inside, isOneOf))
+    for (unsigned char& mark : this->Marks)
+    {
+      mark &= Outside;
+    }
+    this->ClearDrawn();
+  }
+  if (isNew || isFromElsewhere)
+  {
+    const auto project = [this, &projection](std::size_t i, vtkNBufferScreenBox& screen)
+    { return !(this->Marks[i] & (Kept | Outside)) && this->Project(projection, i, screen); };
+    for (const std::size_t i :
+      vtkNBufferUnitChoice::FindNearest(this->Units.GetSize(), inside, projection, project))
     {
       this->Keep(i);
     }
@@ -151,49 +163,6 @@ void vtkNBufferUnitCulling::MarkOutside(
   }
 }
 
-template <typename Predicate>
-std::vector<std::size_t> vtkNBufferUnitCulling::FindNearest(
-  const vtkNBufferProjection& projection, int number, const Predicate& isOneOf)
-{
-  const double width = projection.GetWidth();
-  const double height = projection.GetHeight();
-  const double side = std::max(std::sqrt(width * height * NearestShare / number), 1.0);
-  const auto columns = static_cast<std::size_t>(width / side) + 1;
-  const std::size_t squares = columns * (static_cast<std::size_t>(height / side) + 1);
-  // The square and the depth of each unit.
-  std::vector<std::pair<std::size_t, double>> places(this->Units.GetSize(), { squares, 0.0 });
-  this->RunInThreads(
-    [&](std::size_t level, std::size_t begin, std::size_t end)
-    {
-      const std::size_t last = this->Units.GetEnd(level, end - 1);
-      for (std::size_t i = this->Units.GetBegin(level, begin); i < last; ++i)
-      {
-        vtkNBufferScreenBox screen;
-        if (isOneOf(i) &&
-          projection.Project(this->MakeBox(this->Units.GetLevels()[0][i]), screen) ==
-            vtkNBufferPlacement::Inside)
-        {
-          const vtkNBufferRectangle& pixels = screen.Pixels;
-          const double x = 0.5 * (pixels.X0 + pixels.X1) / side;
-          const double y = 0.5 * (pixels.Y0 + pixels.Y1) / side;
-          places[i] = { static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x),
-            screen.Nearest };
-        }
-      }
-    });
-  std::vector<std::size_t> nearest(squares, places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    if (places[i].first < squares)
-    {
-      std::size_t& unit = nearest[places[i].first];
-      unit = unit == places.size() || places[i].second < places[unit].second ? i : unit;
-    }
-  }
-  nearest.erase(std::remove(nearest.begin(), nearest.end(), places.size()), nearest.end());
-  return nearest;
-}
-
 void vtkNBufferUnitCulling::Keep(std::size_t unit)
 {
   this->Marks[unit] = Kept;
@@ -232,9 +201,10 @@ int vtkNBufferUnitCulling::Test(
   {
     this->KeptInVain += this->DrawnUnits[i] && (this->Marks[i] & Dropped);
   }
-  this->Tested = this->Number.Units - this->Number.Outside;
-  this->Seen = static_cast<int>(std::count_if(
-    this->Marks.begin(), this->Marks.end(), [](unsigned char mark) { return (mark & Kept) != 0; }));
+  const auto seen = std::count_if(
+    this->Marks.begin(), this->Marks.end(), [](unsigned char mark) { return (mark & Kept) != 0; });
+  this->Choice.SetTested(
+    projection, this->Number.Units - this->Number.Outside, static_cast<int>(seen));
   return static_cast<int>(fresh);
 }
 
@@ -245,8 +215,10 @@ bool vtkNBufferUnitCulling::PostponeFar(const vtkNBufferProjection& projection)
   {
     return false;
   }
-  const std::vector<std::size_t> nearest = this->FindNearest(
-    projection, fresh, [this](std::size_t i) { return this->FreshUnits[i] != 0; });
+  const auto project = [this, &projection](std::size_t i, vtkNBufferScreenBox& screen)
+  { return this->FreshUnits[i] && this->Project(projection, i, screen); };
+  const std::vector<std::size_t> nearest =
+    vtkNBufferUnitChoice::FindNearest(this->Units.GetSize(), fresh, projection, project);
   if (nearest.empty())
   {
     return false; // All of them reach the near plane.
@@ -390,10 +362,8 @@ int vtkNBufferUnitCulling::CountHidden(
   for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
   {
     vtkNBufferScreenBox screen;
-    count += !(this->Marks[i] & Outside) &&
-      projection.Project(this->MakeBox(this->Units.GetLevels()[0][i]), screen) ==
-        vtkNBufferPlacement::Inside &&
-      test.IsHidden(screen);
+    count +=
+      !(this->Marks[i] & Outside) && this->Project(projection, i, screen) && test.IsHidden(screen);
   }
   return count;
 }

@@ -12,6 +12,7 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h" // For the verdict
 #include "vtkNBufferUnitAnswers.h"
+#include "vtkNBufferUnitChoice.h"
 #include "vtkNBufferUnits.h"
 
 #include <cstddef>
@@ -126,9 +127,9 @@ private:
   };
 
   void MarkOutside(std::size_t level, std::size_t n, const vtkNBufferProjection& projection);
-  template <typename Predicate>
-  std::vector<std::size_t> FindNearest(
-    const vtkNBufferProjection& projection, int number, const Predicate& isOneOf);
+  /// Project a unit. Returns whether it is inside of the frustum.
+  bool Project(
+    const vtkNBufferProjection& projection, std::size_t unit, vtkNBufferScreenBox& screen) const;
   void Keep(std::size_t unit);
   void SetHidden(std::size_t unit);
   void SetVisible(std::size_t unit);
@@ -147,8 +148,7 @@ private:
   Counts Number;
   int FreshBefore = 0; ///< How many fresh units of this frame have been drawn.
   int KeptInVain = 0;
-  int Tested = 0;        ///< How many units the last test has tested.
-  int Seen = 0;          ///< How many units were kept after it.
+  vtkNBufferUnitChoice Choice;
   unsigned int Turn = 0; ///< Which of the drawn units are compared with pixels.
 };
 

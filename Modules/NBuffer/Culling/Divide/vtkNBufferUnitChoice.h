@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferUnitChoice
+ * @brief Which units of a large prop to draw where the last test says little about the view, for
+ * example after a cut. No OpenGL.
+ *
+ * The viewport is divided into squares, one for 16 of the units in question, and the nearest unit
+ * in each square is chosen:
+ *
+ *     +-----+-----+-----+
+ *     | o . | . o | .   |     o  chosen
+ *     |  .  |.    |  o. |     .  behind it
+ *     +-----+-----+-----+
+ *
+ * The choice need not be right: every unit that is not chosen is tested.
+ */
+#ifndef vtkNBufferUnitChoice_h
+#define vtkNBufferUnitChoice_h
+
+#include "vtkNBufferProjection.h"
+#include "vtkNBufferUnits.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferUnitChoice
+{
+public:
+  /// Forget the last test.
+  void Clear() { *this = {}; }
+
+  /// Remember a test of `tested` units, of which `seen` are visible.
+  void SetTested(const vtkNBufferProjection& projection, int tested, int seen);
+
+  /// Whether most of the units that are marked, which the last test found visible, are seen from
+  /// another direction now, so that other units hide them.
+  bool IsFromElsewhere(const vtkNBufferProjection& projection, const vtkNBufferUnits& units,
+    const std::vector<unsigned char>& marked) const;
+
+  /// Whether most of what is in the frustum was not tested, or most of what was visible has left
+  /// the frustum. It contains `inside` units; `kept` of these were visible.
+  bool IsNew(int inside, int kept) const;
+
+  /// Project a unit. Returns false if it is not among those in question or reaches the near plane.
+  using Project = std::function<bool(std::size_t unit, vtkNBufferScreenBox& screen)>;
+
+  /// Choose units of about `number` in question among `size` units.
+  static std::vector<std::size_t> FindNearest(
+    std::size_t size, int number, const vtkNBufferProjection& projection, const Project& project);
+
+private:
+  int Tested = 0;
+  int Seen = 0;
+  glm::dvec4 Eye = glm::dvec4(0.0); ///< See GetEye() in the source file.
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
