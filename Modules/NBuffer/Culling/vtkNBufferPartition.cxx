@@ -20,7 +20,8 @@ void vtkNBufferPartition::Clear()
   this->IsAnyOutside = false;
 }
 
-vtkNBufferFrustumCounts vtkNBufferPartition::Classify(int firstBlended)
+vtkNBufferFrustumCounts vtkNBufferPartition::Classify(
+  int firstBlended, const vtkNBufferProjection& projection)
 {
   this->Clear();
   this->FirstBlended = firstBlended;
@@ -68,10 +69,31 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify(int firstBlended)
         break;
     }
   }
+  const vtkNBufferEye eye(projection);
+  const auto fromElsewhere = std::count_if(this->Kept.begin(), this->Kept.end(),
+    [&](int i) { return eye.SeesFromElsewhere(this->Props.GetBox(i).Center, this->Eye); });
+  if (2 * static_cast<std::size_t>(fromElsewhere) > this->Kept.size())
+  {
+    this->Forget();
+  }
+  this->Eye = eye;
   counts.Kept = static_cast<int>(this->Kept.size());
   counts.HeldBack = static_cast<int>(this->HeldBack.size());
   counts.Translucent = static_cast<int>(this->Translucent.size());
   return counts;
+}
+
+void vtkNBufferPartition::Forget()
+{
+  std::vector<int> all;
+  std::merge(this->Kept.begin(), this->Kept.end(), this->HeldBack.begin(), this->HeldBack.end(),
+    std::back_inserter(all));
+  for (int i : all)
+  {
+    this->Props.GetState(i).WasVisible = this->Props.GetState(i).WasTested = false;
+  }
+  this->HeldBack = std::move(all);
+  this->Kept.clear();
 }
 
 void vtkNBufferPartition::HoldBack(bool needsOne)
@@ -118,18 +140,28 @@ void vtkNBufferPartition::Project(const vtkNBufferProjection& projection)
   }
 }
 
-std::vector<int> vtkNBufferPartition::RemoveOccluders(
-  std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection)
+std::vector<int> vtkNBufferPartition::RemoveOccluders(std::vector<int>& places, std::size_t limit,
+  bool areLarge, const vtkNBufferProjection& projection)
 {
   const std::size_t size =
     std::min(places.size(), std::max(limit, vtkNBufferOccluderChoice::MaximumSize));
-  std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(size),
-    places.end(),
-    [this](int a, int b)
-    { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
+  const auto end = places.begin() + static_cast<std::ptrdiff_t>(size);
+  const auto isNearer = [this](int a, int b)
+  { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };
+  const auto isLarger = [this](int a, int b)
+  {
+    const vtkNBufferRectangle& pixels = this->Props.GetScreen(a).Pixels;
+    const vtkNBufferRectangle& others = this->Props.GetScreen(b).Pixels;
+    return pixels.GetWidth() * pixels.GetHeight() > others.GetWidth() * others.GetHeight();
+  };
+  if (areLarge)
+  {
+    std::nth_element(places.begin(), end, places.end(), isLarger);
+  }
+  std::partial_sort(places.begin(), end, areLarge ? end : places.end(), isNearer);
   std::vector<vtkNBufferScreenBox> boxes(size);
-  std::transform(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(size), boxes.begin(),
-    [this](int i) { return this->Props.GetScreen(i); });
+  std::transform(
+    places.begin(), end, boxes.begin(), [this](int i) { return this->Props.GetScreen(i); });
   std::vector<int> occluders;
   for (std::size_t place :
     vtkNBufferOccluderChoice::Choose(boxes, limit, projection.GetWidth(), projection.GetHeight()))

@@ -18,6 +18,7 @@
 #define vtkNBufferPartition_h
 
 #include "vtkNBufferCullingPolicy.h"
+#include "vtkNBufferEye.h"
 #include "vtkType.h"
 
 #include <vector>
@@ -40,8 +41,10 @@ public:
 
   /// Divide the props by their placements in the view, and set the verdicts of those that need no
   /// test. `firstBlended` is that of vtkNBufferListTraits: the opaque candidates from there on are
-  /// in none of the lists. Returns the number of props of each kind.
-  vtkNBufferFrustumCounts Classify(int firstBlended);
+  /// in none of the lists. If most of the kept props are seen from elsewhere now, all that earlier
+  /// tests have found out is forgotten, and no prop is kept. Returns the number of props of each
+  /// kind.
+  vtkNBufferFrustumCounts Classify(int firstBlended, const vtkNBufferProjection& projection);
 
   /// The `firstBlended` of the last Classify().
   int GetFirstBlended() const { return this->FirstBlended; }
@@ -60,10 +63,11 @@ public:
   /// that has changed since Classify().
   void Project(const vtkNBufferProjection& projection);
 
-  /// Choose at most `limit` of the nearest props in `places`, those that probably hide the others;
-  /// remove them from `places` and return them. See vtkNBufferOccluderChoice.h.
-  std::vector<int> RemoveOccluders(
-    std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection);
+  /// Choose at most `limit` of the props in `places`, those that probably hide the others; remove
+  /// them from `places` and return them. They are some of the largest ones on the screen, or, if
+  /// `areLarge` is false, of the nearest. See vtkNBufferOccluderChoice.h.
+  std::vector<int> RemoveOccluders(std::vector<int>& places, std::size_t limit, bool areLarge,
+    const vtkNBufferProjection& projection);
 
   /// Whether the view is new: no prop is kept, and most of those held back have not been tested
   /// since they came into the frustum. (If other props hide all candidates, no prop is kept either,
@@ -92,6 +96,8 @@ public:
   }
 
 private:
+  void Forget();
+
   vtkNBufferCandidateList& Props;
   std::vector<int> Kept;
   std::vector<int> HeldBack;
@@ -99,6 +105,7 @@ private:
   std::size_t Lost = 0; ///< The props that were visible and have left the frustum.
   bool IsAnyOutside = false;
   int FirstBlended = VTK_INT_MAX;
+  vtkNBufferEye Eye; ///< Of the last Classify().
 };
 
 VTK_ABI_NAMESPACE_END

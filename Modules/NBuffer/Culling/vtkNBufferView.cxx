@@ -120,7 +120,7 @@ vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
 {
   const vtkNBufferCompatibility::DrawingSettings& drawing = this->Stillness.GetDrawing();
   const int firstBlended = this->Props.GetTraits().GetFirstBlended(drawing.SmoothLines);
-  vtkNBufferFrustumCounts counts = this->Partition.Classify(firstBlended);
+  vtkNBufferFrustumCounts counts = this->Partition.Classify(firstBlended, this->Projection);
   counts.Blending = this->Props.HasBlending(drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
   this->BackOff =
@@ -306,10 +306,10 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     drawn += this->Draws.Draw(
       renderer, this->Division.GetPostponed(), 1, this->Proxy->GetAllocatedRenderTime());
   }
-  const auto drawOccluders = [&](std::size_t limit)
-  { draw(this->Partition.RemoveOccluders(left, limit, this->Projection)); };
-
   const auto first = vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
+  const auto drawOccluders = [&](std::size_t limit)
+  { draw(this->Partition.RemoveOccluders(left, limit, limit == first, this->Projection)); };
+
   const bool isNew = this->Partition.IsNew(this->Settings.Shared != nullptr);
   this->Division.Count(this->Statistics);
   test.SetCounts(this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside,

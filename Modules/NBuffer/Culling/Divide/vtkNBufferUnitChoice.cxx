@@ -15,30 +15,13 @@ namespace
 /// frustum, or if the frustum has more than NewView times as many units as that of the last test.
 constexpr int NewView = 4;
 
-/// The cosine of 30 degrees: a unit that is seen from a direction that is farther off is seen from
-/// elsewhere. On a path around a prop in 30 frames, a frame turns it by 12 degrees.
-constexpr double CosineOfElsewhere = 0.866;
-
 /// About one in this many units is chosen.
 constexpr double NearestShare = 16.0;
-
-/// The eye in homogeneous coordinates of the mesh; the direction to it if the camera is parallel.
-glm::dvec4 GetEye(const vtkNBufferProjection& projection)
-{
-  const vtkNBufferProjection::Rows& rows = projection.GetWorldToClip();
-  const glm::dmat4 toClip = glm::transpose(glm::dmat4(rows[0], rows[1], rows[2], rows[3]));
-  return vtkNBufferGLM::Invert(toClip)[2]; // The point whose x, y and w are 0 in clip coordinates.
-}
-
-glm::dvec3 GetDirection(const glm::dvec3& from, const glm::dvec4& eye)
-{
-  return vtkNBufferGLM::Normalize(glm::dvec3(eye) - eye.w * from);
-}
 }
 
 void vtkNBufferUnitChoice::SetTested(const vtkNBufferProjection& projection, int tested, int seen)
 {
-  this->Eye = GetEye(projection);
+  this->Eye = vtkNBufferEye(projection);
   this->Tested = tested;
   this->Seen = seen;
 }
@@ -46,7 +29,7 @@ void vtkNBufferUnitChoice::SetTested(const vtkNBufferProjection& projection, int
 bool vtkNBufferUnitChoice::IsFromElsewhere(const vtkNBufferProjection& projection,
   const vtkNBufferUnits& units, const std::vector<unsigned char>& marked) const
 {
-  const glm::dvec4 eye = GetEye(projection);
+  const vtkNBufferEye eye(projection);
   int difference = 0; // Between the units that are seen from elsewhere and the others.
   for (std::size_t i = 0; i < units.GetSize(); ++i)
   {
@@ -54,8 +37,7 @@ bool vtkNBufferUnitChoice::IsFromElsewhere(const vtkNBufferProjection& projectio
     {
       const vtkNBufferUnits::Box& box = units.GetLevels()[0][i];
       const glm::dvec3 middle(0.5F * box.Low + 0.5F * box.High);
-      const double cosine = glm::dot(GetDirection(middle, eye), GetDirection(middle, this->Eye));
-      difference += cosine < CosineOfElsewhere ? 1 : -1;
+      difference += eye.SeesFromElsewhere(middle, this->Eye) ? 1 : -1;
     }
   }
   return difference > 0;

@@ -18,7 +18,7 @@
 #ifndef vtkNBufferUnitChoice_h
 #define vtkNBufferUnitChoice_h
 
-#include "vtkNBufferProjection.h"
+#include "vtkNBufferEye.h"
 #include "vtkNBufferUnits.h"
 
 #include <cstddef>
@@ -54,7 +54,7 @@ public:
 private:
   int Tested = 0;
   int Seen = 0;
-  glm::dvec4 Eye = glm::dvec4(0.0); ///< See GetEye() in the source file.
+  vtkNBufferEye Eye;
 };
 
 VTK_ABI_NAMESPACE_END
