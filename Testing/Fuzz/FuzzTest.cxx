@@ -558,3 +558,20 @@ TEST_F(FuzzRuns, StereoOfAnEmptyView)
         "window": {"width": 49}})"));
   EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
 }
+
+// After a cut all units of the sphere are outside, but its box is not.
+TEST_F(FuzzRuns, LargePropWithoutUnitsInTheView)
+{
+  const Scenario scenario = FromJson(Parse(
+    R"({"culler": {"minimum_number_of_primitives": 50}, "frames": 3,
+        "props": [{"id": 2, "shape": {
+          "center": [3.1999483716327113, -0.4901569729224695, -1.5010324093728724],
+          "detail": 7, "kind": "Sphere",
+          "size": [0.2181856718541766, 0.2181856718541766, 0.2810388498213275]}}],
+        "views": [
+          {"position": [0.0, 0.0, 12.071067811865476], "view_angle": 45.0},
+          {"frame": 2, "position": [6.776425215174617, -4.574649073400581, 12.071067811865476],
+            "view_angle": 45.0}],
+        "window": {"height": 94, "width": 54}})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}

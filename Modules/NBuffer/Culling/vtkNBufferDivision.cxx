@@ -5,6 +5,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferLargeProps.h"
+#include "vtkNBufferPartition.h"
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferTieQuery.h"
 #include "vtkNBufferViewSetup.h"
@@ -214,18 +215,18 @@ int vtkNBufferDivision::CountHidden(const vtkNBufferLevels& levels) const
     { return entry.IsActive ? count + entry.Prop->CountHidden(entry.Projection, levels) : count; });
 }
 
-void vtkNBufferDivision::MarkOutside()
+void vtkNBufferDivision::MarkOutside(vtkNBufferPartition& partition)
 {
   for (Entry& entry : this->Entries)
   {
     const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
-    if (entry.IsActive && !entry.IsHeldBack && units.Units == units.Outside &&
+    if (entry.IsActive && units.Units == units.Outside &&
       this->Props.GetCandidate(entry.Place).IsCandidate())
     {
       entry.IsActive = false;
       if (!entry.Prop->HasChangedBlocks())
       {
-        this->Props.GetState(entry.Place).Verdict = vtkNBufferVerdict::Outside;
+        partition.SetOutside(entry.Place);
       }
     }
   }

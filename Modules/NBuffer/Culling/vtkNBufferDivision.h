@@ -35,6 +35,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
+class vtkNBufferPartition;
 class vtkRenderer;
 struct vtkNBufferSettings;
 struct vtkNBufferStatistics;
@@ -76,8 +77,8 @@ public:
   /// How many units of opaque props the levels hide.
   int CountHidden(const vtkNBufferLevels& levels) const;
 
-  /// Give the verdict Outside to props that are not held back and have no unit in the frustum.
-  void MarkOutside();
+  /// Call SetOutside() for props that have no unit in the frustum.
+  void MarkOutside(vtkNBufferPartition& partition);
 
   /// Let all props be drawn whole in this frame.
   void Reset();
@@ -146,8 +147,7 @@ public:
   /// boxes of groups of units may cover much of it. It is 1 if no units are tested in this frame.
   int GetLevelsNeeded(int width, int height, int factor) const;
 
-  /// Set the statistics of units, after a test: the sums over all props that are drawn unit by
-  /// unit.
+  /// Set the statistics of units to the sums over all props that are drawn unit by unit.
   void Count(vtkNBufferStatistics& statistics) const;
 
 private:

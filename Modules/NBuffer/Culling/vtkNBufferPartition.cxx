@@ -118,6 +118,13 @@ void vtkNBufferPartition::HoldBack(bool needsOne)
   }
 }
 
+void vtkNBufferPartition::SetOutside(int place)
+{
+  this->Props.GetState(place).Verdict = vtkNBufferVerdict::Outside;
+  this->HeldBack.erase(
+    std::remove(this->HeldBack.begin(), this->HeldBack.end(), place), this->HeldBack.end());
+}
+
 void vtkNBufferPartition::KeepAll()
 {
   // All of them are drawn from now on, so the next test begins with the depth of all of them.

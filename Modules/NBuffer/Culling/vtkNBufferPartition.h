@@ -55,6 +55,10 @@ public:
   /// back, because it hides least. Its depth is missing from the test.
   void HoldBack(bool needsOne);
 
+  /// Neither draw nor test a prop with the verdict of HoldBack(), because all of its units are
+  /// outside of the frustum.
+  void SetOutside(int place);
+
   /// Prepare a frame without a test: empty the lists. All props are drawn, and the next frame keeps
   /// them.
   void KeepAll();

@@ -135,7 +135,7 @@ vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
     return decision;
   }
   this->Partition.HoldBack(!this->Division.HoldsUnits());
-  this->Division.MarkOutside();
+  this->Division.MarkOutside(this->Partition);
   this->Statistics.HeldBack = this->Division.CountTranslucentByUnits() +
     static_cast<int>(
       this->Partition.GetHeldBack().size() + this->Partition.GetTranslucent().size());
