@@ -141,7 +141,8 @@ public:
   /// own vertex buffers (vtkNBufferDrawHook.h says when a mesh is drawn whole). Takes at most 100
   /// bytes per unit and, if the file does not list neighbours together, 4 per triangle; and OpenGL
   /// has lists of what is drawn, twice 12 bytes per visible triangle and 108 per visible instance.
-  /// While units are made, once, it takes 24 bytes per point and 28 per triangle more. Default: on.
+  /// If the device makes the lists, it needs 4 bytes per triangle more. While units are made, once,
+  /// that needs 24 bytes per point and 28 per triangle. Default: on.
   vtkSetMacro(DivideProps, bool);
   vtkGetMacro(DivideProps, bool);
   vtkBooleanMacro(DivideProps, bool);

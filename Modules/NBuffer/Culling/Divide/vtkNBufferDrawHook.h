@@ -171,6 +171,7 @@ private:
   void ReadSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source);
   bool IsAsRead(const Source& source);
   bool CanListOnDevice() const;
+  /// See vtkNBufferInstanceStream::Maker.
   bool MakeList(const Buffer& buffer, const vtkNBufferUnits::Range& part,
     const std::vector<vtkNBufferUnitDevice::Records>& records, std::size_t indices,
     vtkNBufferUnitDevice::List& list);

@@ -49,8 +49,8 @@ class vtkOpenGLHelper;
 class vtkNBufferInstanceStream
 {
 public:
-  /// Makes a list of primitives of a range by copying their records. Each primitive is drawn by so
-  /// many indices, as an instance.
+  /// Makes a list of the chosen primitives of a part by copying their records, and says how to draw
+  /// it. `indices` is the number of indices of a primitive. Returns false if it cannot be made.
   using Maker = std::function<bool(const vtkNBufferUnits::Range& part,
     const std::vector<vtkNBufferUnitDevice::Records>& records, std::size_t indices,
     vtkNBufferUnitDevice::List& list)>;
