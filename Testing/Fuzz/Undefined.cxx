@@ -157,14 +157,6 @@ void RemoveUndefined(Scenario& scene)
       {
         prop.Kind = PropKind::Actor;
       }
-      // VTK 9.1 blends the blocks of composite data in the order of addresses.
-      if (prop.Kind == PropKind::Composite)
-      {
-        prop.ForceTranslucent = false;
-        prop.Opacity = 1.0;
-        RemoveChanges(scene, ChangeKind::Opacity, prop.Id);
-        RemoveChanges(scene, ChangeKind::BlockOpacity, prop.Id);
-      }
     }
   }
   if (HasPass(scene, [](PassKind pass) { return pass != PassKind::None; }))

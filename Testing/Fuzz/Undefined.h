@@ -25,8 +25,7 @@ namespace TestScene
  *  - The shaders of splats keep the global polygon offset of the time when they were made. With
  *    splats and a new context VTK crashes.
  *  - Whether the scalars behind a filter are translucent is determined before the filter has run.
- *  - VTK 9.1 crashes with clipped glyphs that get edges, and blends blocks of composite data in the
- *    order of addresses.
+ *  - VTK 9.1 crashes with clipped glyphs that get edges.
  */
 void RemoveUndefined(Scenario& scene);
 }

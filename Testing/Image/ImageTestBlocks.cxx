@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Composite data, of which only the blocks that can be seen are drawn.
+#include "BlockMeshes.h"
 #include "CompositeMapper.h"
 #include "LargeProps.h"
 #include "Scenes.h"
@@ -22,7 +23,6 @@
 #include "vtkStripper.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -40,25 +40,11 @@ using Blocks = vtkSmartPointer<vtkMultiBlockDataSet>;
 /// How the n-th block is changed before it is added.
 using Finish = std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData* block, unsigned int n)>;
 
-/// Empty meshes in the order of their addresses. VTK before 9.3 draws blocks in that order, which
-/// has to be the same in both scenes that are compared: blocks touch each other.
-std::vector<vtkSmartPointer<vtkPolyData>> MakeEmptyMeshes(int count)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> meshes(static_cast<std::size_t>(count));
-  for (vtkSmartPointer<vtkPolyData>& mesh : meshes)
-  {
-    mesh = vtkSmartPointer<vtkPolyData>::New();
-  }
-  std::sort(meshes.begin(), meshes.end(),
-    [](vtkPolyData* a, vtkPolyData* b) { return std::less<>()(a, b); });
-  return meshes;
-}
-
 /// Houses on a ground, each a block.
 Blocks MakeBlockCity(int count, const Finish& finish = nullptr)
 {
   auto blocks = Blocks::New();
-  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeEmptyMeshes(count * count + 1);
+  const auto meshes = TestScene::MakeBlockMeshes(static_cast<std::size_t>(count * count + 1));
   std::minstd_rand random(5);
   const auto add = [&](const glm::dvec3& center, const glm::dvec3& size)
   {
@@ -270,7 +256,7 @@ TEST(CullerBlocksTies, LastOneStays)
     {
       Scenes::SetPixelCamera(stage.GetRenderer(), 301, 173);
       vtkNew<vtkMultiBlockDataSet> quads;
-      const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeEmptyMeshes(200);
+      const std::vector<vtkSmartPointer<vtkPolyData>> meshes = TestScene::MakeBlockMeshes(200);
       std::minstd_rand random(11);
       for (unsigned int i = 0; i < 200; ++i)
       {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneProps.h"
-#include "CompositeMapper.h"
 
+#include "BlockMeshes.h"
+#include "CompositeMapper.h"
 #include "LightRig.h"
 #include "Shapes.h"
 
@@ -47,6 +48,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace TestScene
 {
@@ -215,8 +217,11 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
   if (prop.Kind == PropKind::Composite)
   {
     vtkNew<vtkMultiBlockDataSet> blocks;
-    blocks->SetBlock(0, MakeShape(prop.Shape, prop.Scalars));
-    vtkSmartPointer<vtkDataObject> second = MakeShape(GetSecondPart(prop.Shape), prop.Scalars);
+    const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeBlockMeshes(2);
+    meshes[0]->ShallowCopy(MakeShape(prop.Shape, prop.Scalars));
+    meshes[1]->ShallowCopy(MakeShape(GetSecondPart(prop.Shape), prop.Scalars));
+    blocks->SetBlock(0, meshes[0]);
+    vtkSmartPointer<vtkDataObject> second = meshes[1];
     if (prop.Shape.Seed % 2)
     {
       vtkNew<vtkMultiBlockDataSet> inner;

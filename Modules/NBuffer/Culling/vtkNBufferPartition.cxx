@@ -179,15 +179,12 @@ std::vector<int> vtkNBufferPartition::RemoveOccluders(std::vector<int>& places, 
   return occluders;
 }
 
-bool vtkNBufferPartition::IsNew(bool afterCuts) const
+bool vtkNBufferPartition::IsNew() const
 {
-  if (afterCuts && this->Lost > this->Kept.size())
-  {
-    return true;
-  }
   const auto tested = std::count_if(this->HeldBack.begin(), this->HeldBack.end(),
     [this](int i) { return this->Props.GetState(i).WasTested; });
-  return this->Kept.empty() && 2 * static_cast<std::size_t>(tested) < this->HeldBack.size();
+  return this->Lost > this->Kept.size() ||
+    2 * static_cast<std::size_t>(tested) < this->HeldBack.size();
 }
 
 std::vector<int> vtkNBufferPartition::GetNotDrawn() const
@@ -198,21 +195,18 @@ std::vector<int> vtkNBufferPartition::GetNotDrawn() const
   return places;
 }
 
-int vtkNBufferPartition::TakeVisibleKept(std::vector<int>& visible)
+int vtkNBufferPartition::RemoveDrawn(const std::vector<int>& drawn, std::vector<int>& visible)
 {
-  for (int i : this->Kept)
+  auto next = visible.begin();
+  for (int i : drawn)
   {
-    this->Props.GetState(i).WasVisible = false;
-    this->Props.GetState(i).WasTested = true;
+    vtkNBufferState& state = this->Props.GetState(i);
+    state.WasTested = true;
+    state.WasVisible = next != visible.end() && *next == i;
+    next += state.WasVisible ? 1 : 0;
   }
-  const auto end = std::find_if_not(visible.begin(), visible.end(),
-    [this](int i) { return std::binary_search(this->Kept.begin(), this->Kept.end(), i); });
-  for (auto place = visible.begin(); place != end; ++place)
-  {
-    this->Props.GetState(*place).WasVisible = true;
-  }
-  const auto taken = static_cast<int>(end - visible.begin());
-  visible.erase(visible.begin(), end);
-  return static_cast<int>(this->Kept.size()) - taken;
+  const auto found = static_cast<int>(next - visible.begin());
+  visible.erase(visible.begin(), next);
+  return static_cast<int>(drawn.size()) - found;
 }
 VTK_ABI_NAMESPACE_END

@@ -73,19 +73,17 @@ public:
   std::vector<int> RemoveOccluders(std::vector<int>& places, std::size_t limit, bool areLarge,
     const vtkNBufferProjection& projection);
 
-  /// Whether the view is new: no prop is kept, and most of those held back have not been tested
-  /// since they came into the frustum. (If other props hide all candidates, no prop is kept either,
-  /// but the candidates have been tested, and the view is not new.) With `afterCuts` it is also new
-  /// if most of the props that the last test found visible have left the frustum.
-  bool IsNew(bool afterCuts = false) const;
+  /// Whether the view is new: most of the props that the last test found visible have left the
+  /// frustum, or most of those held back have not been tested since they came into it.
+  bool IsNew() const;
 
   /// Get those of the props held back that have not been drawn in this frame so far.
   std::vector<int> GetNotDrawn() const;
 
-  /// `visible` begins with those of the kept props, in their order, that this frame's test has
-  /// found visible. Store that for the next frame, store that the other kept props are hidden, and
-  /// remove the kept props from `visible`. Returns the number of the hidden ones.
-  int TakeVisibleKept(std::vector<int>& visible);
+  /// `drawn` are props that were drawn before a test, and `visible` begins with those of them, in
+  /// their order, that it has found visible. Store for the next frame which of them are visible and
+  /// which are hidden, and remove them from `visible`. Returns the number of the hidden ones.
+  int RemoveDrawn(const std::vector<int>& drawn, std::vector<int>& visible);
 
   ///@{
   const std::vector<int>& GetKept() const { return this->Kept; }

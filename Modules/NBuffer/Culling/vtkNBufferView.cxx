@@ -207,12 +207,12 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   // The device begins to draw the kept props now, and not when their depth is read.
   glFlush();
   this->Tested = source;
-  this->KeptInVain = 0;
+  this->HiddenButDrawn = 0;
   int drawn = 0;
   vtkNBufferDepthTest test(
     *this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
   const bool tested = this->DrawRounds(renderer, test, drawn);
-  this->DrawsInVain = this->KeptInVain > 0 || this->Division.HasKeptInVain() ||
+  this->DrawsInVain = this->HiddenButDrawn > 0 || this->Division.HasKeptInVain() ||
     (!this->Stillness.IsSame() && !this->Draws.Get().empty());
   const vtkNBufferClock clock;
   this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
@@ -226,7 +226,7 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   }
   this->Props.CountVerdicts(this->Statistics);
   this->Division.Count(this->Statistics);
-  this->BackOff->Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + this->KeptInVain +
+  this->BackOff->Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + this->HiddenButDrawn +
       this->Statistics.UnitsHidden - this->Statistics.Redrawn,
     this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside);
   return drawn;
@@ -295,8 +295,10 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
 {
   int round = 1;
   std::vector<int> left = this->Partition.GetHeldBack();
+  std::vector<int> untested = this->Partition.GetKept(); // but drawn
   const auto draw = [&](std::vector<int> props)
   {
+    untested.insert(untested.end(), props.begin(), props.end());
     const std::vector<int> fresh = this->Division.GetFresh();
     props.insert(props.end(), fresh.begin(), fresh.end());
     drawn += this->DrawRound(renderer, std::move(props), round++);
@@ -310,7 +312,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
   const auto drawOccluders = [&](std::size_t limit)
   { draw(this->Partition.RemoveOccluders(left, limit, limit == first, this->Projection)); };
 
-  const bool isNew = this->Partition.IsNew(this->Settings.Shared != nullptr);
+  const bool isNew = this->Partition.IsNew();
   this->Division.Count(this->Statistics);
   test.SetCounts(this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside,
     isNew ? static_cast<int>(left.size()) : 0);
@@ -324,8 +326,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
   {
     std::string why;
     const vtkNBufferDecision failure = test.Build(
-      renderer, this->Tested,
-      { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, levels,
+      renderer, this->Tested, { &untested, &left, &this->Partition.GetTranslucent() }, levels,
       [this]() { return this->Division.CountHidden(this->Levels); }, why);
     if (failure != vtkNBufferDecision::None)
     {
@@ -343,21 +344,18 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
       this->Props.GetState(i).WasVisible = false;
       this->Props.GetState(i).WasTested = true;
     }
+    // How many props are left decides whether pixels are read. The props that are drawn already are
+    // tested with the others, so that this does not change the verdict on a prop.
+    left.insert(left.begin(), untested.begin(), untested.end());
+    const auto size = static_cast<int>(left.size() + this->Partition.GetTranslucent().size());
+    const int passed = test.RemoveHidden(left);
     if (this->Statistics.Rounds == 0)
     {
-      this->Statistics.Tested = static_cast<int>(
-        this->Partition.GetKept().size() + left.size() + this->Partition.GetTranslucent().size());
-      // How many props are left decides whether pixels are read. The kept props, which are drawn
-      // already, are tested with the others, so that this does not change the verdict on a prop.
-      const std::vector<int>& kept = this->Partition.GetKept();
-      left.insert(left.begin(), kept.begin(), kept.end());
-      this->Statistics.PassedCoarseTest += test.RemoveHidden(left);
-      this->KeptInVain = this->Partition.TakeVisibleKept(left);
+      this->Statistics.Tested = size;
+      this->Statistics.PassedCoarseTest = passed;
     }
-    else
-    {
-      test.RemoveHidden(left);
-    }
+    this->HiddenButDrawn += this->Partition.RemoveDrawn(untested, left);
+    untested.clear();
     // Another round must save more props than it draws to be worth its read-back.
     const auto limit = first << this->Statistics.Rounds;
     ++this->Statistics.Rounds;

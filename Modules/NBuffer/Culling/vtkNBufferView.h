@@ -143,7 +143,7 @@ private:
   vtkNBufferListMaker List;
   vtkNBufferViewSetup Setup;
   vtkNBufferDepthSource Tested; ///< The depth that was tested last.
-  int KeptInVain = 0; ///< How many kept props the last test found hidden after they were drawn.
+  int HiddenButDrawn = 0; ///< The props that this frame's tests found hidden after they were drawn.
   /// Whether some of what the last frame has drawn is hidden, or may be hidden by what it has drawn
   /// last. Another test in the same view then saves drawing it again.
   bool DrawsInVain = false;
