@@ -126,8 +126,8 @@ TEST(FuzzUndefined, NoEdgesOfClippedGlyphs)
 TEST(FuzzUndefined, NoMappersThatFollowersLackOrOtherRenderersHave)
 {
   Scenario scenario;
-  scenario.Props.resize(4);
-  for (int i = 0; i < 4; ++i)
+  scenario.Props.resize(6);
+  for (int i = 0; i < 6; ++i)
   {
     scenario.Props[i].Id = i;
     scenario.Props[i].MapperOf = i > 0 ? 0 : -1;
@@ -135,10 +135,14 @@ TEST(FuzzUndefined, NoMappersThatFollowersLackOrOtherRenderersHave)
   scenario.Props[0].Kind = PropKind::NoMapper;
   scenario.Props[1].Kind = PropKind::Follower;
   scenario.Props[2].Renderer = 1;
+  scenario.Props[4].Renderer = 1;
+  scenario.Props[4].Kind = PropKind::Assembly;
+  scenario.Props[5].PartOf = 4;
   RemoveUndefined(scenario);
   EXPECT_EQ(scenario.Props[1].MapperOf, -1);
   EXPECT_EQ(scenario.Props[2].MapperOf, -1);
   EXPECT_EQ(scenario.Props[3].MapperOf, 0);
+  EXPECT_EQ(scenario.Props[5].MapperOf, -1);
 }
 
 // VTK draws glyphs of lines as wide as the lines before them, be it in an earlier scenario.

@@ -53,6 +53,17 @@ bool HasAmbientOcclusion(const Scenario& scene)
       [](const Change& change) { return change.Kind == ChangeKind::SSAO; });
 }
 
+/// Sets the renderers of parts to those in which they are drawn, with the assemblies before them.
+void SetRenderersOfParts(Scenario& scene)
+{
+  for (Prop& part : scene.Props)
+  {
+    const auto whole = std::find_if(scene.Props.begin(), scene.Props.end(),
+      [&part](const Prop& prop) { return prop.Id == part.PartOf; });
+    part.Renderer = whole != scene.Props.end() ? whole->Renderer : part.Renderer;
+  }
+}
+
 /// Whether a prop may have the mapper of its MapperOf. VTK crashes with a follower that has no
 /// mapper, and the culler does not examine props of other renderers (docs/limits.md).
 bool MayShareMapper(const Scenario& scene, const Prop& prop)
@@ -69,6 +80,7 @@ bool MayShareMapper(const Scenario& scene, const Prop& prop)
 
 void RemoveUndefined(Scenario& scene)
 {
+  SetRenderersOfParts(scene);
   if (std::any_of(scene.Props.begin(), scene.Props.end(),
         [](const Prop& prop) { return prop.Kind == PropKind::Splats; }))
   {
