@@ -20,7 +20,8 @@
  * In a frame with a test, when it is Ready:
  *
  *  1. FindKept() tests the frustum. The units that the last test found visible are to be drawn
- *     first. In a new view, of which the last test says little, these are the nearest units.
+ *     first. In a new view, of which the last test says little, these are units that probably
+ *     hide the others.
  *  2. The first draw draws these.
  *  3. Test() compares the other units with the levels. Units that were drawn already are tested as
  *     well, so that the next frame need not draw hidden ones; an eighth of them in each frame also

@@ -5,14 +5,7 @@
  * @brief Which units of a large prop to draw where the last test says little about the view, for
  * example after a cut. No OpenGL.
  *
- * The viewport is divided into squares, one for 16 of the units in question, and the nearest unit
- * in each square is chosen:
- *
- *     +-----+-----+-----+
- *     | o . | . o | .   |     o  chosen
- *     |  .  |.    |  o. |     .  behind it
- *     +-----+-----+-----+
- *
+ * Those that are not behind others in a coarse depth image (vtkNBufferCoarseDepth.h) are chosen.
  * The choice need not be right: every unit that is not chosen is tested.
  */
 #ifndef vtkNBufferUnitChoice_h
@@ -47,9 +40,9 @@ public:
   /// Project a unit. Returns false if it is not among those in question or reaches the near plane.
   using Project = std::function<bool(std::size_t unit, vtkNBufferScreenBox& screen)>;
 
-  /// Choose units of about `number` in question among `size` units.
-  static std::vector<std::size_t> FindNearest(
-    std::size_t size, int number, const vtkNBufferProjection& projection, const Project& project);
+  /// Choose units that probably hide the others in question among `size` units.
+  static std::vector<std::size_t> FindOccluders(
+    std::size_t size, const vtkNBufferProjection& projection, const Project& project);
 
 private:
   int Tested = 0;

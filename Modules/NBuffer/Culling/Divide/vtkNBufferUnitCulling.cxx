@@ -122,7 +122,7 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
     const auto project = [this, &projection](std::size_t i, vtkNBufferScreenBox& screen)
     { return !(this->Marks[i] & (Kept | Outside)) && this->Project(projection, i, screen); };
     for (const std::size_t i :
-      vtkNBufferUnitChoice::FindNearest(this->Units.GetSize(), inside, projection, project))
+      vtkNBufferUnitChoice::FindOccluders(this->Units.GetSize(), projection, project))
     {
       this->Keep(i);
     }
@@ -217,11 +217,12 @@ bool vtkNBufferUnitCulling::PostponeFar(const vtkNBufferProjection& projection)
   }
   const auto project = [this, &projection](std::size_t i, vtkNBufferScreenBox& screen)
   { return this->FreshUnits[i] && this->Project(projection, i, screen); };
-  const std::vector<std::size_t> nearest =
-    vtkNBufferUnitChoice::FindNearest(this->Units.GetSize(), fresh, projection, project);
-  if (nearest.empty())
+  const std::vector<std::size_t> occluders =
+    vtkNBufferUnitChoice::FindOccluders(this->Units.GetSize(), projection, project);
+  const auto number = static_cast<int>(occluders.size());
+  if (number == 0 || number == fresh)
   {
-    return false; // All of them reach the near plane.
+    return false; // All of them reach the near plane, or none hides another one.
   }
   for (std::size_t i = 0; i < this->FreshUnits.size(); ++i)
   {
@@ -231,12 +232,12 @@ bool vtkNBufferUnitCulling::PostponeFar(const vtkNBufferProjection& projection)
     }
   }
   std::fill(this->FreshUnits.begin(), this->FreshUnits.end(), 0);
-  for (const std::size_t i : nearest)
+  for (const std::size_t i : occluders)
   {
     this->FreshUnits[i] = 1;
     this->Marks[i] |= Kept;
   }
-  this->Number.Fresh = this->FreshBefore + static_cast<int>(nearest.size());
+  this->Number.Fresh = this->FreshBefore + number;
   return true;
 }
 

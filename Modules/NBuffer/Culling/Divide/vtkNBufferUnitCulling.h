@@ -64,8 +64,8 @@ public:
   vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const;
 
   /// Test the frustum, and let the units that are drawn first count as drawn: those that the last
-  /// test found visible, some that come and go, and, in a new view, the nearest ones. If any unit
-  /// is in the frustum, at least one is drawn.
+  /// test found visible, some that come and go, and, in a new view, those that probably hide the
+  /// others. If any unit is in the frustum, at least one is drawn.
   void FindKept(const vtkNBufferProjection& projection);
 
   /// Let no unit count as drawn. To be called before Test() if the prop has not been drawn.
@@ -77,9 +77,9 @@ public:
   int Test(const vtkNBufferProjection& projection, const Depth& depth,
     const vtkNBufferUnitAnswers* answers = nullptr);
 
-  /// If more units are fresh than have been drawn, let only the nearest ones stay fresh. They
-  /// probably hide most of the others, which have to be tested again once they are drawn. Returns
-  /// whether there are such others.
+  /// If more units are fresh than have been drawn, let only those stay fresh that probably hide the
+  /// others, which have to be tested again once these are drawn. Returns whether there are such
+  /// others.
   bool PostponeFar(const vtkNBufferProjection& projection);
 
   /// How many units are left if only nodes of the highest level that Test() tests are compared with
