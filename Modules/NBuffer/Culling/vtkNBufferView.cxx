@@ -298,7 +298,9 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
   std::vector<int> untested = this->Partition.GetKept(); // but drawn
   const auto draw = [&](std::vector<int> props)
   {
-    untested.insert(untested.end(), props.begin(), props.end());
+    // Among ranks the next frame keeps them, so that their leaving the frustum shows a cut.
+    untested.insert(
+      untested.end(), this->Settings.Shared ? props.end() : props.begin(), props.end());
     const std::vector<int> fresh = this->Division.GetFresh();
     props.insert(props.end(), fresh.begin(), fresh.end());
     drawn += this->DrawRound(renderer, std::move(props), round++);
