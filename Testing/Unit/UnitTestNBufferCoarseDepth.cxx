@@ -37,7 +37,8 @@ TEST(NBufferCoarseDepth, ABoxHidesBeyondItsFarEndOnly)
 // Hazard: a box that sticks out counts as hidden, or one of which almost nothing does as open.
 TEST(NBufferCoarseDepth, ABoxIsOpenIfMoreThanAnEighthOfItIs)
 {
-  // The outer eighth of the wall hides nothing: it ends at 56, and so does the last box but one.
+  // The outer eighth of a box does not count: the middles of the wall and of the first box end
+  // at 56.
   const vtkNBufferCoarseDepth depth = MakeDepth({ 0, 0, 64, Side }, 0.2);
   EXPECT_FALSE(depth.IsOpen({ 0, 32, 64, 48 }, 0.3));
   EXPECT_TRUE(depth.IsOpen({ 8, 32, 72, 48 }, 0.3));
