@@ -298,7 +298,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
   std::vector<int> untested = this->Partition.GetKept(); // but drawn
   const auto draw = [&](std::vector<int> props)
   {
-    // Among ranks the next frame keeps them, so that their leaving the frustum shows a cut.
+    // Among ranks they stay kept for a frame: by their leaving the frustum IsNew() notices a cut.
     untested.insert(
       untested.end(), this->Settings.Shared ? props.end() : props.begin(), props.end());
     const std::vector<int> fresh = this->Division.GetFresh();
