@@ -39,12 +39,11 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// The largest number of rounds (one test and one draw each) in a frame; 1 to 8.
   int MaximumNumberOfRounds = 6;
 
-  /// The largest number of props that are drawn before the first test of a view of which nothing is
-  /// known (vtkNBufferOccluderChoice.h); 1 to 4194303. If 1/512 of the props held back is more,
-  /// that number is the limit. The same limit holds after the first test, and it doubles with each
-  /// further test. If a test leaves at most twice as many props as the limit, all of them are drawn
-  /// without another test. Of a large prop only the nearest of the units that have become visible
-  /// are drawn before another test if they are more than 16 times RoundSize, and more than were
+  /// The largest number of props that are drawn before the first test of a view of which little is
+  /// known; 1 to 4194303. If 1/512 of the props held back is more, that number is the limit. If a
+  /// test leaves more than twice as many props, only those of them that probably hide others are
+  /// drawn before another test (vtkNBufferCoarseDepth.h). The same holds for the units of a large
+  /// prop that have become visible, if they are more than 16 times RoundSize, and more than were
   /// visible before.
   int RoundSize = 64;
 

@@ -402,8 +402,10 @@ void vtkNBufferDepthTest::RemoveBehindPixels(std::vector<int>& places, const flo
                          : otherwise;
       };
       const vtkNBufferScreenBox* screen = this->GetScreen(i);
-      // Most props that were visible are visible again, with the same triangle.
-      if (!screen || (this->Props.GetState(i).WasVisible && mayBeSeen(1, false)))
+      // Most props that were visible are visible again, with the same triangle. That a triangle
+      // that reaches behind the eye may be seen says nothing.
+      const bool isLikely = this->Props.GetState(i).WasVisible && screen && !screen->Clipped;
+      if (!screen || (isLikely && mayBeSeen(1, false)))
       {
         continue;
       }

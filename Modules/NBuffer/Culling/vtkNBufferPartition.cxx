@@ -3,7 +3,7 @@
 #include "vtkNBufferPartition.h"
 
 #include "vtkNBufferCandidateList.h"
-#include "vtkNBufferOccluderChoice.h"
+#include "vtkNBufferCoarseDepth.h"
 #include "vtkNBufferProjection.h"
 
 #include <algorithm>
@@ -147,35 +147,38 @@ void vtkNBufferPartition::Project(const vtkNBufferProjection& projection)
   }
 }
 
-std::vector<int> vtkNBufferPartition::RemoveOccluders(std::vector<int>& places, std::size_t limit,
-  bool areLarge, const vtkNBufferProjection& projection)
+std::vector<int> vtkNBufferPartition::RemoveOccluders(
+  std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection)
 {
-  const std::size_t size =
-    std::min(places.size(), std::max(limit, vtkNBufferOccluderChoice::MaximumSize));
-  const auto end = places.begin() + static_cast<std::ptrdiff_t>(size);
-  const auto isNearer = [this](int a, int b)
-  { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };
-  const auto isLarger = [this](int a, int b)
+  const auto getScreen = [this](int i) -> const vtkNBufferScreenBox&
+  { return this->Props.GetScreen(i); };
+  const auto isLarger = [&](int a, int b)
   {
-    const vtkNBufferRectangle& pixels = this->Props.GetScreen(a).Pixels;
-    const vtkNBufferRectangle& others = this->Props.GetScreen(b).Pixels;
+    const vtkNBufferRectangle& pixels = getScreen(a).Pixels;
+    const vtkNBufferRectangle& others = getScreen(b).Pixels;
     return pixels.GetWidth() * pixels.GetHeight() > others.GetWidth() * others.GetHeight();
   };
-  if (areLarge)
+  const auto isNearer = [&](int a, int b) { return getScreen(a).Nearest < getScreen(b).Nearest; };
+  // Many of the nearest props are small and hide little, so that the choice is among the largest.
+  constexpr std::size_t enough = 256;
+  const std::size_t size = std::min(places.size(), std::max(limit, enough));
+  const auto end = places.begin() + static_cast<std::ptrdiff_t>(size);
+  std::nth_element(places.begin(), end, places.end(), isLarger);
+  vtkNBufferCoarseDepth depth(projection.GetWidth(), projection.GetHeight());
+  std::for_each(
+    places.begin(), end, [&](int i) { depth.Add(getScreen(i).Pixels, getScreen(i).Farthest); });
+  constexpr int openShare = 4;
+  const auto isOpen = [&](int i)
+  { return depth.IsOpen(getScreen(i).Pixels, getScreen(i).Nearest, openShare); };
+  auto last = std::partition(places.begin(), end, isOpen);
+  if (static_cast<std::size_t>(last - places.begin()) > limit)
   {
-    std::nth_element(places.begin(), end, places.end(), isLarger);
+    const auto nearest = places.begin() + static_cast<std::ptrdiff_t>(limit);
+    std::nth_element(places.begin(), nearest, last, isNearer);
+    last = nearest;
   }
-  std::partial_sort(places.begin(), end, areLarge ? end : places.end(), isNearer);
-  std::vector<vtkNBufferScreenBox> boxes(size);
-  std::transform(
-    places.begin(), end, boxes.begin(), [this](int i) { return this->Props.GetScreen(i); });
-  std::vector<int> occluders;
-  for (std::size_t place :
-    vtkNBufferOccluderChoice::Choose(boxes, limit, projection.GetWidth(), projection.GetHeight()))
-  {
-    occluders.push_back(std::exchange(places[place], -1));
-  }
-  places.erase(std::remove(places.begin(), places.end(), -1), places.end());
+  std::vector<int> occluders(places.begin(), last);
+  places.erase(places.begin(), last);
   return occluders;
 }
 

@@ -67,11 +67,12 @@ public:
   /// that has changed since Classify().
   void Project(const vtkNBufferProjection& projection);
 
-  /// Choose at most `limit` of the props in `places`, those that probably hide the others; remove
-  /// them from `places` and return them. They are some of the largest ones on the screen, or, if
-  /// `areLarge` is false, of the nearest. See vtkNBufferOccluderChoice.h.
-  std::vector<int> RemoveOccluders(std::vector<int>& places, std::size_t limit, bool areLarge,
-    const vtkNBufferProjection& projection);
+  /// Choose at most `limit` of the props in `places` that probably hide the others: the nearest of
+  /// those that are not behind others in a coarse depth image (vtkNBufferCoarseDepth.h) of the
+  /// largest props on the screen, `limit` of them or 256. Remove them from `places` and return them.
+  /// The choice need not be right: every prop that is not chosen is tested.
+  std::vector<int> RemoveOccluders(
+    std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection);
 
   /// Whether the view is new: most of the props that the last test found visible have left the
   /// frustum, or most of those held back have not been tested since they came into it.

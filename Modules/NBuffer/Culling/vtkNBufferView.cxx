@@ -4,7 +4,6 @@
 
 #include "vtkNBufferClock.h"
 #include "vtkNBufferGL.h"
-#include "vtkNBufferOccluderChoice.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferSharedDepth.h"
 
@@ -310,17 +309,15 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     drawn += this->Draws.Draw(
       renderer, this->Division.GetPostponed(), 1, this->Proxy->GetAllocatedRenderTime());
   }
-  const auto first = vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
-  const auto drawOccluders = [&](std::size_t limit)
-  { draw(this->Partition.RemoveOccluders(left, limit, limit == first, this->Projection)); };
-
+  // Each round tests all props that are left, so that it has to draw more where these are many.
+  const auto limit = std::max<std::size_t>(this->Settings.RoundSize, left.size() / 512);
   const bool isNew = this->Partition.IsNew();
   this->Division.Count(this->Statistics);
   test.SetCounts(this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside,
     isNew ? static_cast<int>(left.size()) : 0);
   if (isNew)
   {
-    drawOccluders(first);
+    draw(this->Partition.RemoveOccluders(left, limit, this->Projection));
   }
   const int levels = this->Division.GetLevelsNeeded(
     this->Projection.GetWidth(), this->Projection.GetHeight(), this->Settings.BaseFactor);
@@ -358,19 +355,21 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     }
     this->HiddenButDrawn += this->Partition.RemoveDrawn(untested, left);
     untested.clear();
-    // Another round must save more props than it draws to be worth its read-back.
-    const auto limit = first << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
     const bool isLast = this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds;
     const bool areAllUnits = this->Division.Test(
       test.GetDepthOfUnits(), left, isLast ? VTK_INT_MAX : this->Settings.RoundSize);
-    if ((left.size() <= 2 * limit && areAllUnits) || isLast)
+    // Another round is worth its read-back if many props may be hidden by others.
+    std::vector<int> visible = isLast || left.size() <= 2 * limit
+      ? std::exchange(left, {})
+      : this->Partition.RemoveOccluders(left, left.size(), this->Projection);
+    if (left.empty() && areAllUnits)
     {
       this->TestTranslucent(test);
-      draw(left);
+      draw(std::move(visible));
       return true;
     }
-    drawOccluders(limit);
+    draw(std::move(visible));
   }
 }
 

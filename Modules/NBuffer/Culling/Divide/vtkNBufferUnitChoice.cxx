@@ -11,6 +11,9 @@ namespace
 /// A view is new if less than 1/NewView of the units that the last test found visible are in the
 /// frustum, or if the frustum has more than NewView times as many units as that of the last test.
 constexpr int NewView = 4;
+
+/// A unit of which more than 1/OpenShare is in front of the others does not count as hidden.
+constexpr int OpenShare = 8;
 }
 
 void vtkNBufferUnitChoice::SetTested(const vtkNBufferProjection& projection, int tested, int seen)
@@ -71,8 +74,10 @@ std::vector<std::size_t> vtkNBufferUnitChoice::FindOccluders(
   }
   std::vector<unsigned char> areOpen(size);
   vtkNBufferForEachProp::RunEach(size,
-    [&](std::size_t i) {
-      areOpen[i] = !places[i].Pixels.IsEmpty() && depth.IsOpen(places[i].Pixels, places[i].Nearest);
+    [&](std::size_t i)
+    {
+      areOpen[i] =
+        !places[i].Pixels.IsEmpty() && depth.IsOpen(places[i].Pixels, places[i].Nearest, OpenShare);
     });
   std::vector<std::size_t> occluders;
   for (std::size_t i = 0; i < size; ++i)

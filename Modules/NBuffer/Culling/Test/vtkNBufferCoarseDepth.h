@@ -6,7 +6,8 @@
  * No OpenGL.
  *
  * A box stands for the squares of the middle three quarters of the width and height of its
- * rectangle, or for the square of its middle. There it hides what lies beyond its farthest depth:
+ * rectangle (those of which this part covers at least three pixels in x and in y), or for the
+ * square of its middle. There it hides what lies beyond its farthest depth:
  *
  *     +---------------+
  *     |  +---------+  |   rectangle of the box
@@ -16,7 +17,7 @@
  *     +---------------+
  *
  * What is in the box need not fill these squares, so that the answers are good only for choosing
- * what to draw before a test.
+ * what to draw before a test. The box of the least farthest depth is always open.
  */
 #ifndef vtkNBufferCoarseDepth_h
 #define vtkNBufferCoarseDepth_h
@@ -47,22 +48,21 @@ public:
     ForEach(*this, GetMiddle(pixels), [&](double& depth) { depth = std::min(depth, farthest); });
   }
 
-  /// Whether a box is in front of the boxes that were added in more than an eighth of these squares
+  /// Whether a box is in front of the boxes that were added in more than 1/`share` of these squares
   /// of its own, by the members Pixels and Nearest of its vtkNBufferScreenBox.
-  bool IsOpen(const vtkNBufferRectangle& pixels, double nearest) const
+  bool IsOpen(const vtkNBufferRectangle& pixels, double nearest, int share) const
   {
     int difference = 0;
     ForEach(*this, GetMiddle(pixels),
-      [&](const double& depth) { difference += nearest < depth ? OpenShare - 1 : -1; });
+      [&](const double& depth) { difference += nearest < depth ? share - 1 : -1; });
     return difference > 0;
   }
 
 private:
-  static constexpr int SquareSide = 4; // in pixels
-  static constexpr int SharePerSide = 8;
-  static constexpr int OpenShare = 8;
+  static constexpr int SquareSide = 4;   // in pixels
+  static constexpr int SharePerSide = 8; // 1/8 of the width or height, on each side
 
-  /// The squares that lie wholly in the middle of a rectangle, or that of its middle.
+  /// The squares that lie in the middle of a rectangle, or that of its middle.
   static vtkNBufferRectangle GetMiddle(const vtkNBufferRectangle& pixels)
   {
     vtkNBufferRectangle squares;
@@ -74,8 +74,8 @@ private:
   static void FindMiddle(int begin, int end, int& first, int& last)
   {
     const int border = (end - begin) / SharePerSide;
-    first = (begin + border + SquareSide - 1) / SquareSide;
-    last = (end - border) / SquareSide;
+    first = (begin + border + SquareSide - 2) / SquareSide;
+    last = (end - border + 1) / SquareSide;
     if (last <= first)
     {
       first = (begin + end) / 2 / SquareSide;
