@@ -12,7 +12,8 @@ namespace
 /// frustum, or if the frustum has more than NewView times as many units as that of the last test.
 constexpr int NewView = 4;
 
-/// A unit of which more than 1/OpenShare is in front of the others does not count as hidden.
+/// A unit of which more than 1/OpenShare is in front of the others does not count as hidden. Of
+/// props more must be (vtkNBufferPartition.cxx). A unit that is left out costs another round.
 constexpr int OpenShare = 8;
 }
 
