@@ -43,8 +43,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// known; 1 to 4194303. If 1/512 of the props held back is more, that number is the limit. If a
   /// test leaves more than twice as many props, only those of them that probably hide others are
   /// drawn before another test (vtkNBufferCoarseDepth.h). The same holds for the units of a large
-  /// prop that have become visible, if they are more than 16 times RoundSize, and more than were
-  /// visible before.
+  /// prop that have become visible, if they are more than 16 times RoundSize, and more than a
+  /// quarter of those that have been drawn.
   int RoundSize = 64;
 
   /// If a renderer has at least this many props, the culler uses a hierarchy over their boxes; 0

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which units are kept, that is drawn before the first test, after tests with given depths.
 #include "vtkNBufferLevels.h"
+#include "vtkNBufferUnitChoice.h"
 #include "vtkNBufferUnitCulling.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +62,14 @@ protected:
   vtkNBufferProjection Projection;
   vtkNBufferUnitCulling Culling;
 };
+
+// Hazard: all units that are seen through the gaps between those of the last frame are drawn, most
+// of which others of them hide.
+TEST(UnitsOfANewView, AQuarterOfWhatIsDrawnIsMany)
+{
+  EXPECT_FALSE(vtkNBufferUnitChoice::AreMany(25, 100));
+  EXPECT_TRUE(vtkNBufferUnitChoice::AreMany(26, 100));
+}
 
 // Hazard: after a cut everything is drawn that what was visible before does not hide.
 TEST(UnitsOfANewView, NearOnesBeforeOthers)
@@ -126,7 +135,7 @@ TEST(UnitsOfANewView, NearOnesBeforeOthers)
   const int left = columns * columns - countInFence(culling.GetDrawn());
   EXPECT_EQ(culling.Test(projection, { getLevels(0.51F) }), left);
   EXPECT_EQ(culling.GetCounts().Fresh, fresh + left);
-  EXPECT_FALSE(culling.PostponeFar(projection)) << "more have been drawn";
+  EXPECT_FALSE(culling.PostponeFar(projection)) << "none hides another one";
   EXPECT_GT(culling.CountKeptInVain(), 0);
   culling.AddFreshToDrawn();
   culling.FindKept(projection);

@@ -8,10 +8,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// A view is new if less than 1/NewView of the units that the last test found visible are in the
-/// frustum, or if the frustum has more than NewView times as many units as that of the last test.
-constexpr int NewView = 4;
-
 /// A unit of which more than 1/OpenShare is in front of the others does not count as hidden. Of
 /// props more must be (vtkNBufferPartition.cxx). A unit that is left out costs another round.
 constexpr int OpenShare = 8;

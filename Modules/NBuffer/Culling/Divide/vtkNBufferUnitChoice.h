@@ -3,7 +3,7 @@
 /**
  * @class vtkNBufferUnitChoice
  * @brief Which units of a large prop to draw where the last test says little about the view, for
- * example after a cut. No OpenGL.
+ * example after a cut, or in a cloud that is seen through gaps. No OpenGL.
  *
  * Those that are not behind others in a coarse depth image (vtkNBufferCoarseDepth.h) are chosen.
  * The choice need not be right: every unit that is not chosen is tested.
@@ -37,6 +37,10 @@ public:
   /// the frustum. It contains `inside` units; `kept` of these were visible.
   bool IsNew(int inside, int kept) const;
 
+  /// Whether `fresh` units are so many, after `drawn` have been drawn, that most of them are
+  /// probably hidden by others of them.
+  static bool AreMany(int fresh, int drawn) { return NewView * fresh > drawn; }
+
   /// Project a unit. Returns false if it is not among those in question or reaches the near plane.
   using Project = std::function<bool(std::size_t unit, vtkNBufferScreenBox& screen)>;
 
@@ -45,6 +49,11 @@ public:
     std::size_t size, const vtkNBufferProjection& projection, const Project& project);
 
 private:
+  /// A view is new if less than 1/NewView of the units that the last test found visible are in the
+  /// frustum, or if the frustum has more than NewView times as many units as that of the last test.
+  /// Units are many if they are more than 1/NewView of those that have been drawn.
+  static constexpr int NewView = 4;
+
   int Tested = 0;
   int Seen = 0;
   vtkNBufferEye Eye;

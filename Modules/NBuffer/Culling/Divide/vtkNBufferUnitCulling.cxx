@@ -211,7 +211,7 @@ int vtkNBufferUnitCulling::Test(
 bool vtkNBufferUnitCulling::PostponeFar(const vtkNBufferProjection& projection)
 {
   const int fresh = this->CountFresh();
-  if (fresh <= this->CountDrawn())
+  if (!vtkNBufferUnitChoice::AreMany(fresh, this->CountDrawn()))
   {
     return false;
   }

@@ -77,9 +77,9 @@ public:
   int Test(const vtkNBufferProjection& projection, const Depth& depth,
     const vtkNBufferUnitAnswers* answers = nullptr);
 
-  /// If more units are fresh than have been drawn, let only those stay fresh that probably hide the
-  /// others, which have to be tested again once these are drawn. Returns whether there are such
-  /// others.
+  /// If many units are fresh (vtkNBufferUnitChoice::AreMany()), let only those stay fresh that
+  /// probably hide the others, which have to be tested again once these are drawn. Returns whether
+  /// there are such others.
   bool PostponeFar(const vtkNBufferProjection& projection);
 
   /// How many units are left if only nodes of the highest level that Test() tests are compared with
