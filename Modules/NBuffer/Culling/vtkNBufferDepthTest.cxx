@@ -404,8 +404,8 @@ void vtkNBufferDepthTest::RemoveBehindPixels(std::vector<int>& places, const flo
       const vtkNBufferScreenBox* screen = this->GetScreen(i);
       // Most props that were visible are visible again, with the same triangle. That a triangle
       // that reaches behind the eye may be seen says nothing.
-      const bool isLikely = this->Props.GetState(i).WasVisible && screen && !screen->Clipped;
-      if (!screen || (isLikely && mayBeSeen(1, false)))
+      const bool wasVisible = this->Props.GetState(i).WasVisible;
+      if (!screen || (wasVisible && !screen->Clipped && mayBeSeen(1, false)))
       {
         continue;
       }
