@@ -6,6 +6,7 @@
 #include "ProjectedBox.h"
 #include "vtkNBufferCullingPolicy.h"
 #include "vtkNBufferOcclusionTest.h"
+#include "vtkNBufferPartition.h"
 #include "vtkNBufferTieOrder.h"
 #include "vtkNBufferUnitTrial.h"
 
@@ -515,4 +516,12 @@ TEST(NBufferCullingPolicy, RestsAreCountedInFramesThatCouldBeTested)
     ASSERT_LE(++rest, vtkNBufferBackOff::LongestPause);
   }
   EXPECT_EQ(rest, vtkNBufferBackOff::ShortestPause);
+}
+
+// Hazard: half a million props are tested in six rounds, each of which draws almost nothing.
+TEST(NBufferPartition, AGreatManyPropsHaveLargerRounds)
+{
+  EXPECT_EQ(vtkNBufferPartition::GetLimit(64, 100), 64u);
+  EXPECT_EQ(vtkNBufferPartition::GetLimit(64, 64 * 512 + 511), 64u);
+  EXPECT_EQ(vtkNBufferPartition::GetLimit(64, 512 * 1000), 1000u);
 }

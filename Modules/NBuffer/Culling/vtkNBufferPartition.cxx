@@ -167,7 +167,8 @@ std::vector<int> vtkNBufferPartition::RemoveOccluders(
   vtkNBufferCoarseDepth depth(projection.GetWidth(), projection.GetHeight());
   std::for_each(
     places.begin(), end, [&](int i) { depth.Add(getScreen(i).Pixels, getScreen(i).Farthest); });
-  // Less would leave open what is behind tiles that abut: their middles have gaps between them.
+  // With an eighth, as of units, walls of tiles leave open what is behind them: the middles of the
+  // tiles have gaps between them.
   constexpr int openShare = 4;
   const auto isOpen = [&](int i)
   { return depth.IsOpen(getScreen(i).Pixels, getScreen(i).Nearest, openShare); };

@@ -21,6 +21,8 @@
 #include "vtkNBufferEye.h"
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -67,10 +69,18 @@ public:
   /// that has changed since Classify().
   void Project(const vtkNBufferProjection& projection);
 
+  /// How many props may be drawn before the first test, if `props` are held back: `roundSize` or,
+  /// if that is more, one in 512. Each round tests all props that are left, so that it has to draw
+  /// more where a great many are.
+  static std::size_t GetLimit(int roundSize, std::size_t props)
+  {
+    return std::max<std::size_t>(roundSize, props / 512);
+  }
+
   /// Choose at most `limit` of the props in `places` that probably hide the others: the nearest of
   /// those that are not behind others in a coarse depth image (vtkNBufferCoarseDepth.h) of the
-  /// largest props on the screen, `limit` of them or 256. Remove them from `places` and return them.
-  /// The choice need not be right: every prop that is not chosen is tested.
+  /// largest props on the screen, `limit` of them or 256. Remove them from `places` and return
+  /// them. The choice need not be right: every prop that is not chosen is tested.
   std::vector<int> RemoveOccluders(
     std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection);
 

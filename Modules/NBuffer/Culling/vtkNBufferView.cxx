@@ -309,8 +309,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     drawn += this->Draws.Draw(
       renderer, this->Division.GetPostponed(), 1, this->Proxy->GetAllocatedRenderTime());
   }
-  // Each round tests all props that are left, so that it has to draw more where these are many.
-  const auto limit = std::max<std::size_t>(this->Settings.RoundSize, left.size() / 512);
+  const auto limit = vtkNBufferPartition::GetLimit(this->Settings.RoundSize, left.size());
   const bool isNew = this->Partition.IsNew();
   this->Division.Count(this->Statistics);
   test.SetCounts(this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside,
