@@ -4,6 +4,7 @@
 #include "CullerTest.h"
 #include "Scenes.h"
 #include "Tune.h"
+#include "vtkNBufferCandidateTree.h"
 
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -108,6 +109,38 @@ TEST(CullerHierarchy, IsRefitToPropsThatMove)
     EXPECT_GT(comparison.GetStatistics().Nodes, 0);
   }
   EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Outside);
+}
+
+// Hazard: a frame in which very many props move tests them one by one. In the next one nothing
+// moves, and the hierarchy has the boxes of before.
+TEST(CullerHierarchy, IsRefitAfterAFrameInWhichVeryManyMoved)
+{
+  constexpr int boxes = vtkNBufferCandidateTree::FewChanges + 64;
+  const auto build = [](Stage& stage)
+  {
+    Scenes::BuildWall(stage);
+    for (int i = 0; i < boxes; ++i)
+    {
+      Scenes::AddBox(stage, 100.0 + 0.3 * (i % 32), 0.2 * (i / 32) - 3.0, 3.0, 0.2, 0.1, 0.1);
+    }
+  };
+  Comparison comparison(build, MakeHierarchyOptions(0));
+  MoveAndRender(comparison, 0.0, "first");
+  MoveAndRender(comparison, 0.1, "second");
+  EXPECT_GE(comparison.GetStatistics().GetCount(Verdict::Outside), boxes);
+  comparison.Both(
+    [](Stage& stage)
+    {
+      for (int i = 0; i < boxes; ++i)
+      {
+        stage.GetActor(Wall::Count + i)->AddPosition(-104.0, 0.0, 0.0);
+      }
+    });
+  MoveAndRender(comparison, 0.1, "moved");
+  EXPECT_EQ(comparison.GetStatistics().Nodes, 0);
+  MoveAndRender(comparison, 0.15, "only the camera");
+  EXPECT_GT(comparison.GetStatistics().Nodes, 0);
+  EXPECT_LT(comparison.GetStatistics().GetCount(Verdict::Outside), boxes / 2);
 }
 
 // Hazard: the list of props changes, and the hierarchy refers to places of the old list.

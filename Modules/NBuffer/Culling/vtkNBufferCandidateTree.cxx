@@ -69,10 +69,7 @@ bool vtkNBufferCandidateTree::Update(const std::vector<vtkNBufferCandidate>& can
     // The nodes stay marked as changed and are fitted in a frame with fewer changes.
     return false;
   }
-  if (this->Done.Refits > 0)
-  {
-    this->Tree.Refit();
-  }
+  this->Tree.Refit();
   if (this->FramesSinceBuild >= FramesBetweenBuilds &&
     (this->Tree.GetGrowth() > WorstGrowth || this->Loose.size() > few))
   {

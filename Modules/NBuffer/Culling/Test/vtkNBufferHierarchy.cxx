@@ -166,7 +166,8 @@ void vtkNBufferHierarchy::Move(int place, const vtkNBufferBox& box)
 int vtkNBufferHierarchy::Refit()
 {
   int fitted = 0;
-  for (std::size_t i = this->Nodes.size(); i-- > 0;)
+  const bool isAnyDirty = !this->Nodes.empty() && this->Dirty[0]; // Move() marks the root, too.
+  for (std::size_t i = isAnyDirty ? this->Nodes.size() : 0; i-- > 0;)
   {
     if (this->Dirty[i])
     {
