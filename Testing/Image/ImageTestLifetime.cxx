@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Observers that remove and delete what is being drawn, and frames that are aborted.
 #include "CullerTest.h"
+#include "LargeProps.h"
 #include "Once.h"
 #include "Scenes.h"
 
+#include "vtkActorCollection.h"
 #include "vtkCullerCollection.h"
 #include "vtkMapper.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
 #include "vtkWeakPointer.h"
 
 #include <chrono>
@@ -253,5 +258,55 @@ TEST(CullerLifetimeOnce, AbortedFramesAreNotLearntFrom)
       Scenes::FrameOfWall(comparison, 0.0, "and the one after that");
       EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     }
+  }
+}
+
+// Hazard: a large prop is deleted between two frames, and a new one has its address and its place
+// in the list.
+TEST(CullerLifetimeOnce, NewPropAtTheAddressOfADeletedLargeOne)
+{
+  bool haveSameAddresses = true;
+  // Nothing but the renderer keeps the actor.
+  const auto add = [](vtkRenderer* renderer, double radius) -> const void*
+  {
+    vtkNew<vtkActor> actor;
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(radius);
+    sphere->SetThetaResolution(40);
+    sphere->SetPhiResolution(40);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+    return actor;
+  };
+  Comparison comparison(
+    [&add](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      add(stage.GetRenderer(), 2.0);
+    },
+    LargeProps::MakeOptionsWithoutDraws());
+  for (int i = 0; i < 6; ++i)
+  {
+    Scenes::FrameOfWall(comparison, 0.05 * i, "before");
+  }
+  EXPECT_GT(comparison.GetStatistics().Units, 0);
+  comparison.Both(
+    [&](Stage& stage)
+    {
+      vtkActor* old = stage.GetRenderer()->GetActors()->GetLastActor();
+      const void* address = old;
+      stage.GetRenderer()->RemoveActor(old);
+      haveSameAddresses = haveSameAddresses && add(stage.GetRenderer(), 3.0) == address;
+    });
+  for (int i = 0; i < 6; ++i)
+  {
+    Scenes::FrameOfWall(comparison, 0.05 * i, "after");
+  }
+  EXPECT_GT(comparison.GetStatistics().Units, 0);
+  if (!haveSameAddresses)
+  {
+    GTEST_SKIP() << "SKIPPED: the new actor has another address here";
   }
 }

@@ -6,7 +6,6 @@
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferLargeProps.h"
 #include "vtkNBufferPartition.h"
-#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferTieQuery.h"
 #include "vtkNBufferViewSetup.h"
 
@@ -85,19 +84,20 @@ void vtkNBufferDivision::Update(vtkRenderer* renderer, const vtkNBufferSettings&
   {
     return;
   }
-  if (std::exchange(this->ListNumber, this->Props.GetListNumber()) != this->Props.GetListNumber())
+  const bool isOtherList =
+    std::exchange(this->ListNumber, this->Props.GetListNumber()) != this->Props.GetListNumber();
+  for (Entry& entry : this->Entries)
   {
-    for (Entry& entry : this->Entries)
-    {
-      vtkActor* actor = entry.Prop->GetActor();
-      entry.Place = actor ? this->Props.Find(actor) : -1;
-    }
-    this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                          [](const Entry& entry) { return entry.Place < 0; }),
-      this->Entries.end());
-    std::sort(this->Entries.begin(), this->Entries.end(),
-      [](const Entry& a, const Entry& b) { return a.Place < b.Place; });
+    // A new actor may have the address of a deleted one, and so its place in the same list.
+    vtkActor* actor = entry.Prop->GetActor();
+    const int place = isOtherList && actor ? this->Props.Find(actor) : entry.Place;
+    entry.Place = actor ? place : -1;
   }
+  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
+                        [](const Entry& entry) { return entry.Place < 0; }),
+    this->Entries.end());
+  std::sort(this->Entries.begin(), this->Entries.end(),
+    [](const Entry& a, const Entry& b) { return a.Place < b.Place; });
   std::vector<int> changed = this->Props.GetChanged();
   if (isNew)
   {
@@ -173,7 +173,6 @@ bool vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
       const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
       const int inside = units.Units - units.Outside;
       const int kept = entry.IsKept ? units.Kept : 0;
-      counts.Candidates += units.Units;
       counts.Inside += inside;
       counts.Kept += kept;
       (entry.IsPending ? counts.Translucent : counts.HeldBack) += inside - kept;
