@@ -3,6 +3,7 @@
 
 // What a renderer leaves for the next one of the window: the picture, the depth and OpenGL state.
 #include "CullerTest.h"
+#include "LargeProps.h"
 #include "Scenes.h"
 
 #include "vtkNBufferGL.h"
@@ -10,6 +11,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
+#include "vtkDiskSource.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -60,6 +62,40 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
     EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Untested), 1);
     EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
   }
+}
+
+// Hazard: a large prop of which no unit is in the view is kept for the image processing, beside the
+// culler's proxy, so that the list becomes longer than that of the renderer.
+TEST(CullerLayers, LargePropWithoutUnitsInTheView)
+{
+  ComparisonOptions options = LargeProps::MakeOptions();
+  options.Tuning.MinimumNumberOfCandidates = 1;
+  options.MayBeOfOneColor = true;
+  const auto build = [](Stage& stage)
+  {
+    vtkNew<vtkDiskSource> ring;
+    ring->SetInnerRadius(9.0);
+    ring->SetOuterRadius(10.0);
+    ring->SetCircumferentialResolution(400);
+    ring->Update();
+    const double color[3] = { 1.0, 0.0, 0.0 };
+    stage.AddActor(ring->GetOutput(), color);
+    stage.GetRenderer()->SetUseFXAA(true);
+  };
+  Comparison comparison(build, options);
+  for (int i = 0; i < 8; ++i)
+  {
+    comparison.Frame(
+      [i](Stage& stage)
+      {
+        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+        camera->SetPosition(0.1 * i, 0.0, 10.0);
+        camera->SetFocalPoint(0.1 * i, 0.0, 0.0);
+        stage.GetRenderer()->ResetCameraClippingRange();
+      });
+  }
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  EXPECT_EQ(comparison.GetVerdict(0), Verdict::Outside);
 }
 
 // Hazard: vtkNBufferCuller leaves a prop in the list although it may be outside, so that the list

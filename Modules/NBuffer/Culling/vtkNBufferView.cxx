@@ -91,7 +91,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   }
   this->Statistics.FrustumTime = part.GetMilliseconds();
 
-  if (vtkNBufferCompatibility::ProcessesImage(renderer))
+  if (this->State != Phase::AwaitingProxy && vtkNBufferCompatibility::ProcessesImage(renderer))
   {
     this->Props.KeepIfNoneIsInside();
   }
@@ -297,7 +297,8 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
   std::vector<int> untested = this->Partition.GetKept(); // but drawn
   const auto draw = [&](std::vector<int> props)
   {
-    // Among ranks they stay kept for a frame: by their leaving the frustum IsNew() notices a cut.
+    // Among ranks they are not tested and count as visible in the next frame, in which IsNew()
+    // notices a cut by the many visible props that have left the frustum.
     untested.insert(
       untested.end(), this->Settings.Shared ? props.end() : props.begin(), props.end());
     const std::vector<int> fresh = this->Division.GetFresh();
