@@ -97,8 +97,8 @@ enum class vtkShadowDecision : int
 /**
  * The estimated and the measured times of the shadows of one light, in milliseconds. Litmaps are
  * assumed to save two thirds of the time of whole volumes. So mode Automatic makes litmaps if
- * LitmapEstimate is less than two thirds of WholeEstimate (vtkShadowCostModel.h). Both estimates
- * are -1 in other modes.
+ * LitmapEstimate is less than two thirds of WholeEstimate (vtkShadowCostModel.h), except in the
+ * four frames of vtkShadowCostTrials.h. Both estimates are -1 in other modes.
  */
 struct vtkShadowLightCost
 {

@@ -6,8 +6,8 @@
  * applications leave alone.
  *
  * No value of any of them makes a shadow wrong, except a LitmapSource that misses receivers. The
- * study (docs/accuracy-settings.md) found the defaults to be as fast as any other value on its
- * scenes, or faster.
+ * study (docs/accuracy-settings.md, and docs/accuracy-scenes.md for LitmapResolution) found no
+ * other value that is faster on all of its scenes.
  *
  * @code
  * vtkShadowTuning tuning = pass->GetTuning();

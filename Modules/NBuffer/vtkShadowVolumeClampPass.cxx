@@ -94,7 +94,7 @@ void vtkShadowVolumeClampPass::SetLightCasts(vtkLight* light, bool casts)
 bool vtkShadowVolumeClampPass::GetLightCasts(vtkLight* light) const
 {
   const std::vector<vtkWeakPointer<vtkLight>>& excluded = this->Implementation->Excluded;
-  return std::find(excluded.begin(), excluded.end(), light) == excluded.end();
+  return !light || std::find(excluded.begin(), excluded.end(), light) == excluded.end();
 }
 
 void vtkShadowVolumeClampPass::SetCasterKeys(vtkInformation* keys)
@@ -267,7 +267,9 @@ void vtkShadowVolumeClampPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DebugView: " << this->DebugView << "\n";
   os << indent << "DebugLight: " << self.DebugLight.Get() << "\n";
   os << indent << "CasterKeys: " << self.CasterKeys.Get() << "\n";
-  os << indent << "LightsThatDoNotCast: " << self.Excluded.size() << "\n";
+  const auto living = std::count_if(
+    self.Excluded.begin(), self.Excluded.end(), [](vtkLight* light) { return light != nullptr; });
+  os << indent << "LightsThatDoNotCast: " << living << "\n";
   os << indent << "Steps:\n";
   self.Steps->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Statistics: " << self.Shadows.GetStatistics().GetAsJSON() << "\n";

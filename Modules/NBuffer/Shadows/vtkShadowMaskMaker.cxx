@@ -18,12 +18,12 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The number of casters for which a thread of its own saves time. It is small because to decide
-/// about one caster may take longer than to decide about a hundred others.
+/// So many casters are worth a thread: one of them may take as long as a hundred others.
 constexpr vtkIdType CastersPerThread = 256;
 }
 
@@ -31,10 +31,6 @@ constexpr vtkIdType CastersPerThread = 256;
 struct vtkShadowMaskMaker::Work
 {
   const vtkShadowLight& GetLight() const { return this->Source.Geometry; }
-  int GetNumberOfFaces() const
-  {
-    return this->GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
-  }
 
   const vtkShadowMaskMaker::Frame& Frame;
   vtkOpenGLRenderWindow* Window;
@@ -138,9 +134,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   this->IsDepthRead = this->Target.ReadDepth(work.Window, this->Viewport, this->Depth, this->Error);
   if (this->IsDepthRead)
   {
-    const auto covered =
-      std::count_if(this->Depth.begin(), this->Depth.end(), vtkNBufferDepthConvention::IsDrawn);
-    this->Coverage.Set(static_cast<std::size_t>(covered), this->Depth.size());
+    this->Coverage.Count(this->Depth);
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();
   if (this->LitmapSource && this->LitmapSource != work.Settings.Tuning.LitmapSource)
@@ -148,10 +142,11 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
     this->LitmapSource->Release();
   }
   this->LitmapSource = work.Settings.Tuning.LitmapSource;
-  return this->IsDepthRead &&
+  this->IsDepthRead = this->IsDepthRead &&
     (!this->LitmapSource ||
       this->LitmapSource->BeginFrame(
         work.Frame.Renderer, this->Depth.data(), work.Camera.GetView(), this->Error));
+  return this->IsDepthRead;
 }
 
 bool vtkShadowMaskMaker::MakeLitmaps(
@@ -219,10 +214,8 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
   this->Parts.clear();
   for (const std::vector<vtkShadowPart>* parts : partLists)
   {
-    for (const vtkShadowPart& part : *parts)
-    {
-      this->Parts.push_back(&part);
-    }
+    std::transform(parts->begin(), parts->end(), std::back_inserter(this->Parts),
+      [](const vtkShadowPart& part) { return &part; });
   }
 }
 
@@ -281,18 +274,24 @@ long long vtkShadowMaskMaker::EstimateCovered(const Work& work)
   return this->Coverage.Get(samples);
 }
 
-bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost)
+double vtkShadowMaskMaker::EstimateLitmaps(const Work& work, long long covered) const
 {
   const auto samples = static_cast<long long>(this->GetNumberOfSamples());
+  const long long resolution = work.Settings.Tuning.LitmapResolution;
+  const int faces = work.GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
+  return this->Trials.Litmap *
+    vtkShadowCostModel::EstimateLitmap(samples, covered, resolution * resolution, faces);
+}
+
+bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost)
+{
   cost.WholeEstimate = this->Trials.Whole * work.LightVolumes.Estimate.GetTime();
   const auto pay = [&](long long covered)
   {
-    const long long lexels = static_cast<long long>(work.Settings.Tuning.LitmapResolution) *
-      work.Settings.Tuning.LitmapResolution;
-    cost.LitmapEstimate = this->Trials.Litmap *
-      vtkShadowCostModel::EstimateLitmap(samples, covered, lexels, work.GetNumberOfFaces());
+    cost.LitmapEstimate = this->EstimateLitmaps(work, covered);
     return vtkShadowCostModel::IsLitmapWorthIt(cost.WholeEstimate, cost.LitmapEstimate);
   };
+  const auto samples = static_cast<long long>(this->GetNumberOfSamples());
   return pay(samples) || (pay(0) && pay(this->EstimateCovered(work)));
 }
 
@@ -323,6 +322,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
     {
       this->Error.clear(); // See EstimateCovered().
       trial = Way::Estimated;
+      isWhole = true;
     }
     isWhole = trial == Way::Estimated ? isWhole : trial == Way::Whole;
   }
@@ -353,7 +353,9 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
     {
       return false;
     }
-    this->Trials.Stop(trial, cost.LitmapEstimate);
+    // The estimates above may be for another coverage, by which the decision was clear.
+    this->Trials.Stop(
+      trial, this->EstimateLitmaps(work, this->Coverage.Get(this->GetNumberOfSamples())));
     clock.Restart();
     std::vector<vtkShadowPlan::Face> litmaps;
     for (std::size_t i = 0; i < spaces.size(); ++i)

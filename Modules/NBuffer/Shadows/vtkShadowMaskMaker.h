@@ -74,8 +74,8 @@ public:
 
   /**
    * Binds the framebuffer into which the caller draws the receivers' depth next, and clears its
-   * depth. Call Reserve() before. It pushes the framebuffer bindings of the window's
-   * vtkOpenGLState, which the caller pops.
+   * depth, for which it turns the depth mask on. Call Reserve() before. It pushes the framebuffer
+   * bindings of the window's vtkOpenGLState, which the caller pops.
    */
   void BeginDepth(vtkOpenGLRenderWindow* window);
 
@@ -120,6 +120,7 @@ private:
   /// Plans to draw whole volumes. While neither casters nor light change, this is the last such
   /// plan, in another view.
   vtkShadowPlan& PlanWhole(const Work& work, const vtkShadowPlan::View& view);
+  double EstimateLitmaps(const Work& work, long long covered) const; ///< In milliseconds.
   /// Returns whether litmaps are likely to be worth their cost by the estimate of the light. Sets
   /// the estimates of `cost`.
   bool IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost);
@@ -132,7 +133,7 @@ private:
   vtkShadowCounter Counter;
   std::shared_ptr<vtkShadowLitmapSource> LitmapSource; ///< The last source that was used, if any.
   std::vector<float> Depth; ///< The window depths of all samples (vtkShadowTarget::ReadDepth()).
-  bool IsDepthRead = false; ///< True if Depth belongs to the current frame.
+  bool IsDepthRead = false; ///< True if Depth and LitmapSource are those of the current frame.
   std::vector<vtkShadowLitmap> Litmaps;    ///< One, or six for a point light, of the current light.
   std::vector<Volumes> LightVolumes;       ///< By the number of the light.
   std::vector<const vtkShadowPart*> Parts; ///< Of all casters, in order, for the current light.

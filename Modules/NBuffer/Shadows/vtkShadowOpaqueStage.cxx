@@ -72,7 +72,13 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   const vtkShadowFrameKey key(state, lights, this->Casters, settings.Time);
   const bool still =
     statistics.Updates == 0 && !settings.Masks.Tuning.CountFragments && key == this->Key;
-  bool done = still || this->ReserveMasks(lights.size());
+  bool done = still || this->Masks.Reserve(window, lights.size());
+  if (done && this->GetTarget().HasRefusedSamples())
+  {
+    ++statistics.PixelFrames;
+    this->WarnOnce(this->HasWarnedOfSamples,
+      "Shadows have one sample for each pixel. " + this->Masks.GetError());
+  }
   statistics.Samples = static_cast<int>(this->GetTarget().GetSamples().size());
   this->Shading.SetUp(lights, statistics.Samples);
   // The shaders that will draw the colour also draw the depth, so that both have the same depth to
@@ -106,7 +112,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   std::string why;
   if (!this->DebugView.Show(window, this->Statistics, why))
   {
-    this->WarnOnce(this->HasWarned, "Drawn without a debug view. " + why);
+    this->WarnOnce(this->HasWarnedOfDebugView, "Drawn without a debug view. " + why);
   }
   this->Key = done ? key : vtkShadowFrameKey();
   return this->Opaque->GetNumberOfRenderedProps();
@@ -117,18 +123,6 @@ int vtkShadowOpaqueStage::DrawPlain(const vtkRenderState* state, vtkShadowDecisi
   this->Statistics.Decision = decision;
   this->Opaque->Render(state);
   return this->Opaque->GetNumberOfRenderedProps();
-}
-
-bool vtkShadowOpaqueStage::ReserveMasks(std::size_t lights)
-{
-  const bool done = this->Masks.Reserve(this->Window, lights);
-  if (done && this->GetTarget().HasRefusedSamples())
-  {
-    ++this->Statistics.PixelFrames;
-    this->WarnOnce(this->HasWarnedOfSamples,
-      "Shadows have one sample for each pixel. " + this->Masks.GetError());
-  }
-  return done;
 }
 
 bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings& settings,
@@ -225,7 +219,8 @@ bool vtkShadowOpaqueStage::ReadMask(
 
 const vtkShadowDebugView* vtkShadowOpaqueStage::GetDebugView() const
 {
-  return this->Statistics.DebugDraws > 0 ? &this->DebugView : nullptr;
+  const bool isShown = this->Statistics.DebugDraws > 0 && !this->DebugView.GetImage().empty();
+  return isShown ? &this->DebugView : nullptr;
 }
 
 void vtkShadowOpaqueStage::UseContext(vtkOpenGLRenderWindow* window)

@@ -87,7 +87,6 @@ private:
   void ReleaseObjects(vtkWindow* window);
   bool MakeMasks(const vtkRenderState* state, const Settings& settings,
     const std::vector<vtkShadowLightSource>& lights);
-  bool ReserveMasks(std::size_t lights);
   void Draw(const vtkRenderState* state, vtkTextureObject* depth);
   int DrawPlain(const vtkRenderState* state, vtkShadowDecision decision);
   void JoinProps(const vtkRenderState* state);
@@ -104,6 +103,7 @@ private:
   vtkShadowFrameKey Key; ///< The key of the frame that the masks belong to.
   vtkShadowStatistics Statistics;
   bool HasWarned = false;
+  bool HasWarnedOfDebugView = false;
   bool HasWarnedOfSamples = false;
   vtkOpenGLRenderWindow* Window = nullptr; ///< The window that the OpenGL objects belong to.
   std::unique_ptr<Callback> ResourceCallback;

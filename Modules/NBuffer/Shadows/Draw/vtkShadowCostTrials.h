@@ -6,7 +6,8 @@
  *
  * In four frames one light is drawn in a given way, whatever its estimates say: twice with whole
  * volumes, then twice with litmaps. Only the second time of each way counts, because OpenGL may
- * compile programs in the first. The pass waits for the device in these frames only. The trials
+ * compile programs in the first. For the trials it waits until the device has
+ * drawn, which it does in no other frame except to read what was drawn. The trials
  * follow the first frame in which a light's estimate of its whole volumes is at least 1 ms: a
  * smaller estimate says little, and nothing depends on it.
  */

@@ -42,7 +42,7 @@ long long vtkShadowOverlap::GetBound(const std::vector<Item>& items)
   const auto getCell = [&](double value, int i)
   {
     const double width = (all.High[i] - all.Low[i]) / size;
-    return width > 0.0
+    return width > 0.0 && std::isfinite(width)
       ? static_cast<std::size_t>(std::clamp((value - all.Low[i]) / width, 0.0, size - 1.0))
       : 0;
   };

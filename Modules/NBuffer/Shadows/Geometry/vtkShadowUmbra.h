@@ -23,10 +23,11 @@
  * building. It also excludes what stands on a ground that has a thickness: only the lower side and
  * the walls of such a ground count.
  *
- * If at most 64 triangles count, each of them is tested. Otherwise conditions 1 and 2 are tested
- * with the ranges of p, q and s of all triangles together. Condition 3 is then tested only if the
- * triangles have at most 64 planes: P must lie beyond one of them. Consecutive triangles in one
- * plane share it. (The planes of a sphere would say little more than its nearest corner.)
+ * If at most 64 triangles count, and the rays of the caster are known, each of them is tested.
+ * Otherwise conditions 1 and 2 are tested with the ranges of p, q and s of all triangles together.
+ * Condition 3 is then tested only if the triangles have at most 64 planes: P must lie beyond one of
+ * them. Consecutive triangles in one plane share it. (The planes of a sphere would say little more
+ * than its nearest corner.)
  *
  * Two more kinds of receivers could do without a shadow, but depth alone cannot identify them with
  * certainty. The first are receivers whose surface faces away from the light: VTK interpolates

@@ -12,8 +12,12 @@
 
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
+#include "vtkNBufferDepthConvention.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -31,6 +35,14 @@ public:
     this->Share = static_cast<double>(covered) / static_cast<double>(samples);
     this->Samples = samples;
     this->Age = 0;
+  }
+
+  /// Remembers how many of the samples with these depths are covered.
+  void Count(const std::vector<float>& depths)
+  {
+    const auto covered =
+      std::count_if(depths.begin(), depths.end(), vtkNBufferDepthConvention::IsDrawn);
+    this->Set(static_cast<std::size_t>(covered), depths.size());
   }
 
   /// Returns true if the number is known for so many samples, and not too old.

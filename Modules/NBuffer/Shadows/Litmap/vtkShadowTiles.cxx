@@ -80,11 +80,11 @@ void vtkShadowTileSet::Divide(
   Span all[2];
   for (int y = tiles.Y0; y < tiles.Y1; ++y)
   {
-    const unsigned char* row = this->Marks.data() +
-      static_cast<std::size_t>(y - this->Tiles.Y0) * this->Tiles.GetWidth() - this->Tiles.X0;
+    const unsigned char* row =
+      this->Marks.data() + static_cast<std::size_t>(y - this->Tiles.Y0) * this->Tiles.GetWidth();
     for (int x = tiles.X0; x < tiles.X1; ++x)
     {
-      if (row[x])
+      if (row[x - this->Tiles.X0])
       {
         lines[0][static_cast<std::size_t>(x - tiles.X0)].Add({ y, y });
         lines[1][static_cast<std::size_t>(y - tiles.Y0)].Add({ x, x });
