@@ -315,6 +315,41 @@ def test_what_is_culled_of_composite_data():
     plotter.close()
 
 
+def test_glyphs_and_plain_data_of_a_composite_mapper_look_the_same_in_the_second_view():
+    package = vtknbuffer._vtk_package
+    core = importlib.import_module(f"{package}.vtkRenderingCore")
+    points = pyvista.PolyData(np.array([(i % 4, i // 4, 0.0) for i in range(16)]))
+    points["size"] = np.linspace(0.2, 1.0, 16)
+    source = core.vtkGlyph3DMapper()
+    source.SetInputData(points)
+    source.SetSourceData(pyvista.Cube())
+    source.SetScaleFactor(0.6)
+    source.SetScaleModeToScaleByMagnitude()
+    source.SetScaleArray("size")
+    plain = core.vtkCompositePolyDataMapper()
+    plain.SetInputDataObject(pyvista.Cube(center=(1.5, -1.5, 0)))
+    plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
+    for mapper in (source, plain):
+        mapper.ScalarVisibilityOff()
+        actor = core.vtkActor()
+        actor.SetMapper(mapper)
+        plotter.add_actor(actor)
+    plotter.nbuffer.enable()
+    plotter.show(auto_close=False)
+    look(plotter, 0)
+    plotter.render()
+    images = [plotter.screenshot(None, return_img=True).astype(int)]
+    second = plotter.nbuffer.show_culled(cpos=plotter.camera_position, drawn_color="white",
+                                         show=False, window_size=(160, 120))
+    images.append(second.screenshot(None, return_img=True).astype(int))
+    # The frustum of the camera is a black line around the image.
+    drawn = [(abs(image - image[10, 10]).max(axis=2) > 10)[4:-4, 4:-4] for image in images]
+    assert drawn[0].mean() > 0.05
+    assert (drawn[0] != drawn[1]).mean() < 0.002
+    second.close()
+    plotter.close()
+
+
 def test_shadows():
     plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120), lighting="none")
     add_cubes(plotter)

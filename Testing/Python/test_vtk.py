@@ -110,6 +110,8 @@ def test_every_property_of_the_culler_is_a_setting():
     ({"round_size": 0}, ValueError, "RoundSize must be 1 to"),
     ({"base_factor": 3}, ValueError, "BaseFactor must be 1, 2, 4 or 8, not 3"),
     ({"round_size": 1.5}, ValueError, "whole number"),
+    ({"round_size": 2**40}, ValueError, "whole number"),
+    ({"round_size": float("inf")}, ValueError, "whole number"),
     ({"back_off": 2}, ValueError, "0 or 1"),
     ({"backend": "gpu"}, ValueError, "one of auto, opengl, cpu"),
     ({"backend": 3}, ValueError, "one of auto, opengl, cpu"),

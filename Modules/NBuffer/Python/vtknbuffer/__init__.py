@@ -99,8 +99,8 @@ def configure(target, **settings):
         elif _camel_case(name) not in tuning.GetNames():
             raise TypeError(f"there is no setting {name}; there are "
                             f"{', '.join(get_settings(target))}")
-        elif int(value) != value:
-            raise ValueError(f"{name} must be a whole number, not {value!r}")
+        elif not -2**31 <= value < 2**31 or int(value) != value:
+            raise ValueError(f"{name} must be a whole number of 32 bits, not {value!r}")
         elif not tuning.Set(_camel_case(name), int(value)):
             raise ValueError(f"{name} is a switch and must be 0 or 1, not {value!r}")
     fault = tuning.FindFault()

@@ -3,7 +3,8 @@
 """``python -m vtknbuffer.demo``: a walk through a city, with and without the culler.
 
 Prints the frame times of stock VTK, of VTK with the culler, and of the oracle, which draws exactly
-the props that own a pixel and which no culler can beat. It compares all images byte by byte.
+the props that own a pixel and which no culler can beat. It compares the images
+with and without the culler byte by byte.
 """
 
 import argparse

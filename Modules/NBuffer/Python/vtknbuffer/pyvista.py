@@ -16,6 +16,13 @@ import pyvista
 import vtknbuffer
 
 
+# What vtkGlyph3DMapper and vtkPointGaussianMapper have and vtkMapper does not.
+_GLYPH_SETTINGS = (
+    "Scaling", "ScaleMode", "ScaleFactor", "Range", "Clamping", "Orient", "OrientationMode",
+    "SourceIndexing", "UseSourceTableTree", "Masking", "ScaleArray", "ScaleArrayComponent",
+    "SplatShaderCode", "Emissive", "TriangleScale")
+
+
 def _rendering_core():
     return importlib.import_module(f"{vtknbuffer._vtk_package}.vtkRenderingCore")
 
@@ -32,6 +39,23 @@ def _color_blocks(mapper, color_of):
         attributes.SetBlockColor(block, color_of(blocks.GetCurrentFlatIndex()))
         blocks.GoToNextItem()
     mapper.SetCompositeDataDisplayAttributes(attributes)
+
+
+def _copy_mapper(mapper):
+    """Return a mapper that draws the same, in one color. VTK's ShallowCopy() leaves out the rest."""
+    copy = mapper.NewInstance()
+    copy.ShallowCopy(mapper)
+    for port in range(mapper.GetNumberOfInputPorts()):
+        for i in range(mapper.GetNumberOfInputConnections(port)):
+            copy.AddInputConnection(port, mapper.GetInputConnection(port, i))
+    for name in _GLYPH_SETTINGS:
+        if hasattr(mapper, f"Set{name}") and hasattr(mapper, f"Get{name}"):
+            getattr(copy, f"Set{name}")(getattr(mapper, f"Get{name}")())
+    arrays = _rendering_core().vtkMapper.INPUT_ARRAYS_TO_PROCESS()
+    if mapper.GetInformation().Has(arrays):
+        copy.GetInformation().CopyEntry(mapper.GetInformation(), arrays)
+    copy.ScalarVisibilityOff()
+    return copy
 
 
 class NBuffer:
@@ -137,11 +161,9 @@ class NBuffer:
                 word = vtknbuffer.verdict(culler, actor, renderer, part)
                 return colors[word in ("Hidden", "Outside", "Unknown")]
 
-            mapper = actor.GetMapper().NewInstance()
-            mapper.ShallowCopy(actor.GetMapper())
-            mapper.SetInputConnection(actor.GetMapper().GetInputConnection(0, 0))
-            mapper.ScalarVisibilityOff()
-            if hasattr(mapper, "SetBlockColor"):
+            mapper = _copy_mapper(actor.GetMapper())
+            if (hasattr(mapper, "SetBlockColor")
+                    and mapper.GetInputDataObject(0, 0).IsA("vtkCompositeDataSet")):
                 _color_blocks(mapper, color_of)
             copy = core.vtkActor()
             copy.SetMapper(mapper)
