@@ -25,10 +25,11 @@
  * frame, so no prop appears a frame too late.
  *
  * Candidates are plain opaque surface actors: vtkOpenGLActor itself with a polydata, composite
- * or dataset mapper, and the subclasses that the application vouches for (AddKnownActor()). All
- * other props are drawn as without the culler; vtkNBufferVerdict says why. Translucent actors keep
- * their places in the order of blending; those behind opaque props are left out, and no translucent
- * actor hides anything.
+ * or dataset mapper, and the subclasses that the application vouches for (AddKnownActor()). Of
+ * large meshes, glyphs and splats only parts may be left out (SetDivideProps()). All other props
+ * are drawn as without the culler; vtkNBufferVerdict says why. Translucent actors keep their places
+ * in the order of blending; those behind opaque props are left out, and no translucent actor hides
+ * anything.
  *
  * The culler does the work of each vtkFrustumCoverageCuller with default settings, and moves it
  * behind itself (vtkNBufferTuning::TakeOverFrustumCulling): the culler's own frustum test takes a
@@ -136,13 +137,13 @@ public:
 
   ///@{
   /// Whether large props are culled unit by unit: meshes of at least
-  /// vtkNBufferTuning::MinimumNumberOfPrimitives triangles or points, whose units are groups of
-  /// neighbours. A pass in the property keys lets VTK draw only units that may be seen, from its
-  /// own vertex buffers (vtkNBufferDrawHook.h says when a mesh is drawn whole). Takes at most 100
-  /// bytes per unit and, if the file does not list neighbours together, 4 per triangle; and OpenGL
-  /// has lists of what is drawn, twice 12 bytes per visible triangle and 108 per visible instance.
-  /// If the device makes the lists, it needs 4 bytes per triangle more. While units are made, once,
-  /// that needs 24 bytes per point and 28 per triangle. Default: on.
+  /// vtkNBufferTuning::MinimumNumberOfPrimitives cells, whose units are groups of neighbouring
+  /// triangles or points. A pass in the property keys lets VTK draw only units that may be seen,
+  /// from its own vertex buffers (vtkNBufferDrawHook.h says when a mesh is drawn whole). Takes at
+  /// most 100 bytes per unit and, if the file does not list neighbours together, 4 per triangle;
+  /// and OpenGL has lists of what is drawn, twice 12 bytes per visible triangle and 104 per visible
+  /// instance. If the device makes the lists, it needs 4 bytes per triangle more. While units are
+  /// made, once, that needs 24 bytes per point and 32 per triangle. Default: on.
   vtkSetMacro(DivideProps, bool);
   vtkGetMacro(DivideProps, bool);
   vtkBooleanMacro(DivideProps, bool);
@@ -214,7 +215,7 @@ public:
   /// order in which VTK draws them, from 0 on: the id of the cell, if all cells are triangles or
   /// all are vertices. The other parts of a unit have the same verdict. If the prop is drawn or
   /// culled as a whole, every number has the verdict of the prop. The first call after a prop was
-  /// divided may make a table of 8 bytes per part; each further one costs two look-ups.
+  /// divided may make a table of 4 bytes per part; each further one costs two look-ups.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, int part, vtkRenderer* renderer = nullptr) const;
 
   /**

@@ -38,7 +38,8 @@
  *
  * ## Cost
  *
- * A frame has one exchange, and two after a cut of the camera. While nothing moves it has only a
+ * A frame has one exchange, and two after a cut of the camera by which a rank gets more than 256
+ * props of which it knows nothing. While nothing moves it has only a
  * poll, a message of 4 bytes by which the ranks find out whether anything has changed, and while
  * the ranks back off together it has no message (vtkNBufferExchangePlan.h). An exchange sends 4
  * bytes per tile, 12 per rank and 176 more: with few ranks, 173 kB at 960 x 720 pixels. The time is

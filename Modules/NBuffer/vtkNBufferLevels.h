@@ -6,7 +6,7 @@
  * and answers queries.
  *
  * The levels that vtkNBufferTexture builds with OpenGL are the same to the bit, and the tests
- * compare them. On software renderers the culler uses these levels instead. vtkNBufferMath.h
+ * compare them. The culler tests props with the levels of this class. vtkNBufferMath.h
  * defines which squares a texel covers. Values are window depths in [0, 1]; any floats without NaN
  * work.
  *

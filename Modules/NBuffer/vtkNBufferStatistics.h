@@ -22,9 +22,9 @@ VTK_ABI_NAMESPACE_BEGIN
 
 /**
  * Why a prop was drawn or not drawn. Props with the verdicts Outside and Hidden were not drawn.
- * Visible and NearPlane were tested and drawn. All others were drawn without a test; those from
- * NotAPlainActor on can never be tested, because what they draw may differ from what their box
- * says.
+ * Visible, NearPlane and Translucent were tested and drawn. All others were drawn without a test of
+ * the whole prop. Most of those from NotAPlainActor on can never be tested, because what they draw
+ * may differ from what their box says; of large glyphs and splats (NotAPlainMapper) the parts are.
  */
 enum class vtkNBufferVerdict : int
 {
@@ -76,10 +76,10 @@ enum class vtkNBufferDecision : int
   Delegated,         ///< A vtkRendererDelegate draws in place of this renderer.
   UnsupportedWindow, ///< The window is a VR window, or the renderer's viewport has no pixels.
   OtherCuller,       ///< A culler comes after this one; it would not see what is held back.
-  Blending,          ///< The image depends on the order of drawing: props share an object as
-                     ///< vtkNBufferVerdict::SharedMapper describes, normals blend (ambient
-                     ///< occlusion over unlit props), or a prop blends among the opaque ones and
-                     ///< too few candidates come before it.
+  Blending,          ///< The image depends on the order of drawing: props share an object
+                     ///< (docs/limits.md says which kinds of vtkNBufferVerdict::SharedMapper do
+                     ///< this), normals blend (ambient occlusion over unlit props), or a prop
+                     ///< blends among the opaque ones and too few candidates come before it.
   OtherView,         ///< The camera, the viewport or the framebuffer cannot be tested, or is not
                      ///< the one of Cull(); all props were drawn.
   NoContext,         ///< Failure: the window has no OpenGL context.
@@ -102,7 +102,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
 
   /// The props that the renderer gave to the culler.
   int Props = 0;
-  /// The props of a kind that can be tested, translucent ones included.
+  /// The props of a kind that can be tested, translucent ones included, and those with the verdict
+  /// Blended not.
   int Candidates = 0;
   /// The candidates whose boxes were tested against depth.
   int Tested = 0;
@@ -200,7 +201,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   double DrawTime = 0.0;
   ///@}
 
-  /// Milliseconds of the graphics device for building levels with the OpenGL back-end; 0 without
+  /// Milliseconds of the graphics device for the last reduction of depth in a frame; 0 without
   /// timer queries. They may belong to an earlier frame: the culler never waits for a timer query.
   double DeviceBuildTime = 0.0;
 

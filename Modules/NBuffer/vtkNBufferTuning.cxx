@@ -13,8 +13,7 @@ constexpr vtkNBufferNamedMember<vtkNBufferTuning> Members[] = {
   { "MinimumNumberOfCandidates", &vtkNBufferTuning::MinimumNumberOfCandidates, 1, VTK_INT_MAX },
   { "MaximumNumberOfRounds", &vtkNBufferTuning::MaximumNumberOfRounds, 1,
     vtkNBufferStatistics::MaximumNumberOfRounds },
-  // The number doubles from round to round, at most seven times.
-  { "RoundSize", &vtkNBufferTuning::RoundSize, 1, VTK_INT_MAX / 512 },
+  { "RoundSize", &vtkNBufferTuning::RoundSize, 1, VTK_INT_MAX },
   { "HierarchySize", &vtkNBufferTuning::HierarchySize, 0, VTK_INT_MAX },
   { "ObserveAfter", &vtkNBufferTuning::ObserveAfter, 0, VTK_INT_MAX },
   { "MinimumNumberOfPrimitives", &vtkNBufferTuning::MinimumNumberOfPrimitives, 1, VTK_INT_MAX },

@@ -40,7 +40,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   int MaximumNumberOfRounds = 6;
 
   /// The largest number of props that are drawn before the first test of a view of which little is
-  /// known; 1 to 4194303. If 1/512 of the props held back is more, that number is the limit. If a
+  /// known; 1 or more. If 1/512 of the props held back is more, that number is the limit. If a
   /// test leaves more than twice as many props, only those of them that probably hide others are
   /// drawn before another test (vtkNBufferCoarseDepth.h). The same holds for the units of a large
   /// prop that have become visible, if they are more than 16 times RoundSize, and more than a
@@ -74,7 +74,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
 
   /// With the OpenGL back-end, the graphics device tests the units of a prop if it has at least
   /// this many, and as many are left after the host has tested groups of 512 units; 1 or more. It
-  /// always makes the lists of what is drawn of a prop (vtkNBufferUnitDevice).
+  /// makes the lists of what is drawn of a prop wherever it can, whatever their length
+  /// (vtkNBufferUnitDevice).
   int MinimumNumberOfUnitsOnDevice = 1024;
 
   /// Whether the times of a few frames decide if units are drawn (vtkNBufferUnitTrial). On a

@@ -6,6 +6,7 @@
 
 #include "GLStateSnapshot.h"
 #include "WindowFixture.h"
+#include "vtkNBufferGL.h"
 
 #include "vtkProperty.h"
 
@@ -121,12 +122,19 @@ TEST_F(GpuTestNBufferTieQuery, StepsAsideForAnotherQuery)
     [this]()
     {
       this->Actor->SetPosition(9.0, 0.0, 0.0);
-      GLuint query = 0;
-      glGenQueries(1, &query);
-      glBeginQuery(GL_SAMPLES_PASSED, query);
-      EXPECT_TRUE(this->HasTies());
-      EXPECT_EQ(this->Draws, 0);
-      glEndQuery(GL_SAMPLES_PASSED);
-      glDeleteQueries(1, &query);
+      for (const GLenum target : { GL_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED })
+      {
+        if (target == GL_SAMPLES_PASSED ||
+          vtkNBufferGL::HasFeature(3, 3, "GL_ARB_occlusion_query2"))
+        {
+          GLuint query = 0;
+          glGenQueries(1, &query);
+          glBeginQuery(target, query);
+          EXPECT_TRUE(this->HasTies());
+          EXPECT_EQ(this->Draws, 0);
+          glEndQuery(target);
+          glDeleteQueries(1, &query);
+        }
+      }
     });
 }

@@ -14,6 +14,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
 #include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 
@@ -239,6 +240,14 @@ const PassWay PassWays[] = {
       vtkNew<UsersPassWithTraits> pass;
       pass->Delegate = vtkSmartPointer<UsersPass>::New();
       SetPass(s, pass);
+    },
+    Decision::RenderPass, true },
+  { "SSAAPassAroundAnUnknownOne",
+    [](Stage& s)
+    {
+      vtkNew<vtkSSAAPass> samples;
+      samples->SetDelegatePass(vtkNew<UsersPass>());
+      SetPass(s, samples);
     },
     Decision::RenderPass, true },
   { "UsersPassWithTraitsThatDrawsTwice",

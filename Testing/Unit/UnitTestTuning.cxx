@@ -64,6 +64,6 @@ TEST(TuningByNameOfNumbers, FindFaultNamesWhatIsOutOfRange)
 {
   vtkNBufferTuning tuning;
   EXPECT_TRUE(tuning.Set("RoundSize", 0));
-  EXPECT_EQ(tuning.FindFault(), "RoundSize must be 1 to 4194303, not 0");
+  EXPECT_EQ(tuning.FindFault(), "RoundSize must be 1 to 2147483647, not 0");
 }
 }

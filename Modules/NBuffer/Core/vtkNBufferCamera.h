@@ -12,8 +12,8 @@
  * VTK draws with the matrices that vtkOpenGLCamera keeps until camera or renderer are modified. A
  * window that is switched to stereo or back modifies neither, so that the matrices may be those of
  * an eye that is no longer drawn. VTK draws with these matrices nevertheless, and so this class
- * uses them. Only if the stereo flag of the camera is not yet that of the window, it computes the
- * matrices from the camera's parameters.
+ * uses them. Only if the stereo flag of the camera is not yet that of the window, or the camera is
+ * no vtkOpenGLCamera, it computes the matrices from the camera's parameters.
  */
 #ifndef vtkNBufferCamera_h
 #define vtkNBufferCamera_h

@@ -114,8 +114,8 @@ void BindStorage(unsigned int number, unsigned int buffer)
 void AllocateStorage(unsigned int buffer, std::size_t bytes, const void* data)
 {
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
-  GLint size = 0;
-  glGetBufferParameteriv(GL_SHADER_STORAGE_BUFFER, GL_BUFFER_SIZE, &size);
+  GLint64 size = 0;
+  glGetBufferParameteri64v(GL_SHADER_STORAGE_BUFFER, GL_BUFFER_SIZE, &size);
   if (static_cast<std::size_t>(size) < bytes)
   {
     glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);

@@ -6,8 +6,6 @@
 #include "vtkNBufferGL.h"
 #include "vtkOpenGLRenderWindow.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 

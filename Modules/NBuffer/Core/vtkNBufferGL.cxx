@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -75,6 +74,19 @@ bool HasVersion(int major, int minor)
 bool HasFeature(int major, int minor, const char* extension)
 {
   return HasVersion(major, minor) || HasExtension(extension);
+}
+
+bool IsCountingSamples()
+{
+  const auto isRunning = [](GLenum target)
+  {
+    int query = 0;
+    glGetQueryiv(target, GL_CURRENT_QUERY, &query);
+    return query != 0;
+  };
+  return isRunning(GL_SAMPLES_PASSED) ||
+    (HasFeature(3, 3, "GL_ARB_occlusion_query2") && isRunning(GL_ANY_SAMPLES_PASSED)) ||
+    (HasFeature(4, 3, "GL_ARB_ES3_compatibility") && isRunning(GL_ANY_SAMPLES_PASSED_CONSERVATIVE));
 }
 
 bool CheckVersion(std::string& why)

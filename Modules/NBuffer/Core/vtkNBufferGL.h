@@ -39,6 +39,10 @@ VTKNBUFFER_EXPORT bool HasVersion(int major, int minor);
 /// extension adds to older ones. VTK requests OpenGL 3.2, and some drivers give exactly that.
 VTKNBUFFER_EXPORT bool HasFeature(int major, int minor, const char* extension);
 
+/// Whether a query that counts samples, or finds out whether any is drawn, is running. No other one
+/// can begin then (OpenGL 4.6, section 4.2.1).
+VTKNBUFFER_EXPORT bool IsCountingSamples();
+
 /// Whether the current context has OpenGL 3.2, which everything in this module needs. If it has
 /// not, `why` receives the cause and a remedy.
 VTKNBUFFER_EXPORT bool CheckVersion(std::string& why);

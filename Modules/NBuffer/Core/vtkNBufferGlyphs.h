@@ -23,7 +23,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkGlyph3DMapper;
 class vtkMapper;
-class vtkPolyData;
 
 namespace vtkNBufferGlyphs
 {

@@ -24,7 +24,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferLevelBuilder
 {
-/// A level with fewer floats is built by one thread. Waking threads for 691,200 pixels made the
+/// A level with fewer texels is built by one thread. Waking threads for 691,200 pixels made the
 /// build slower on two cores; the size at which threads begin to help has not been measured.
 constexpr vtkIdType TexelsWorthAThread = 1 << 22;
 

@@ -14,7 +14,7 @@
  *                       depth while depth peeling draws. A ForwardedKeys object copies both to a
  *                       represented prop for the time in which that prop is drawn.
  *     estimated time    vtkRenderer adds up the render times of the props in its list. The
- *                       estimated time of a stand-in is the sum over the props that it represents.
+ *                       estimated time of a stand-in is the sum over the props that it has drawn.
  *
  * Code outside the culler recognises stand-ins by this class and needs to know nothing else about
  * the culler.

@@ -179,6 +179,10 @@ bool vtkNBufferTextureStorage::Read(const std::vector<vtkNBufferRectangle>& rect
     glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT));
   if (!vtkNBufferGL::CheckErrors("Reading the levels back", why))
   {
+    if (from)
+    {
+      glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+    }
     return false;
   }
   for (int level = 0; level < levels; ++level, texels += static_cast<std::size_t>(width) * height)

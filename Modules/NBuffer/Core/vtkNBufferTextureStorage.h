@@ -98,7 +98,7 @@ private:
   int Height = 0;
   int Levels = 0;
   int Channels = 0;
-  int Allocations = 0; ///< Without those of the textures above.
+  int Allocations = 0; ///< Without those of Copy and Integers.
   vtkNBufferGL::Texture Arrays[ArrayCount];
   std::vector<vtkNBufferGL::Framebuffer> Framebuffers;
   vtkNBufferGL::GrowingTexture Copy;     ///< A copy of the depth from which level 0 is made.

@@ -31,7 +31,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
-class vtkMapper;
 
 class VTKNBUFFER_EXPORT vtkNBufferCandidate
 {

@@ -15,6 +15,8 @@
 #include "vtkCameraPass.h"
 #include "vtkCuller.h"
 #include "vtkCullerCollection.h"
+#include "vtkDepthPeelingPass.h"
+#include "vtkDualDepthPeelingPass.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -28,6 +30,7 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkRendererDelegate.h"
+#include "vtkSSAAPass.h"
 #include "vtkSequencePass.h"
 #include "vtkSmartPointer.h"
 
@@ -72,6 +75,22 @@ std::vector<vtkRenderPass*> GetParts(vtkRenderPass* pass)
   else if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
   {
     parts = { image->GetDelegatePass() };
+  }
+  else if (auto* samples = vtkSSAAPass::SafeDownCast(pass))
+  {
+    parts = { samples->GetDelegatePass() };
+  }
+  else if (auto* both = vtkDualDepthPeelingPass::SafeDownCast(pass))
+  {
+    parts = { both->GetTranslucentPass(), both->GetVolumetricPass() };
+  }
+  else if (auto* peeling = vtkDepthPeelingPass::SafeDownCast(pass))
+  {
+    parts = { peeling->GetTranslucentPass() };
+  }
+  else if (auto* blending = vtkOrderIndependentTranslucentPass::SafeDownCast(pass))
+  {
+    parts = { blending->GetTranslucentPass() };
   }
   return parts;
 }

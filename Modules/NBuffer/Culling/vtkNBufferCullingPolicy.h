@@ -87,12 +87,12 @@ private:
  */
 struct vtkNBufferFrustumCounts
 {
-  int Candidates = 0;    ///< All opaque and translucent candidates, in the frustum or not.
-  int Inside = 0;        ///< Opaque candidates, and units of any prop, in the frustum.
-  int Kept = 0;          ///< Those of Inside that can be tested and were visible in the last test.
-  int HeldBack = 0;      ///< Opaque ones of Inside that can be tested and that are not Kept.
-  int Translucent = 0;   ///< Translucent candidates that can be tested.
-  int Blended = 0;       ///< Opaque candidates in the frustum that come after a prop that blends.
+  int Candidates = 0;  ///< Opaque (not Blended) and translucent candidates, in the frustum or not.
+  int Inside = 0;      ///< Opaque candidates, and units of any prop, in the frustum.
+  int Kept = 0;        ///< Those of Inside that can be tested and were visible in the last test.
+  int HeldBack = 0;    ///< Opaque ones of Inside that can be tested and that are not Kept.
+  int Translucent = 0; ///< Translucent candidates that can be tested.
+  int Blended = 0;     ///< Opaque candidates in the frustum that come after a prop that blends.
   bool Blending = false; ///< The order in which any props are drawn may show.
 };
 

@@ -362,7 +362,7 @@ int vtkNBufferDepthTest::RemoveBehind(std::vector<int>& places)
   RemoveIf(places,
     [&](int i)
     {
-      // GetScreen() may not be called for a prop that lies below a hidden node.
+      // A prop below a hidden node need not be projected.
       float& clearance = this->Props.GetState(i).Clearance;
       const vtkNBufferScreenBox* screen = clearance > 0.0F ? nullptr : this->GetScreen(i);
       if (screen)

@@ -127,16 +127,16 @@ private:
   /// Put back into `places` the candidates of `tested` that have a sliver that may be visible.
   /// Before and after the call `places` is a part of `tested`, in the same order.
   void PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places);
-  /// What is known of the slivers of a hidden candidate. Unknown if its triangles have to be read
-  /// first. May run in parallel for different candidates.
+  /// What is known of the slivers of a hidden candidate.
   enum class Slivers : char
   {
     Hidden,
     Visible,
-    Unknown
+    Unknown ///< Its triangles have to be read first.
   };
   /// Whether a piece of a hidden candidate may be in front, given what hides the piece itself.
   bool MayBeInFront(const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece);
+  /// May run in parallel for different candidates.
   Slivers FindSlivers(
     int i, const vtkNBufferFaceTest& faceTest, const vtkNBufferSliverTest& sliverTest);
 

@@ -10,7 +10,8 @@
  * depends on nothing but the replies to earlier messages, which are the same on all ranks:
  *
  *  - A frame has one exchange.
- *  - It has two if a rank reports a view of which it knows nothing, as after a cut of the camera.
+ *  - It has two if a rank reports more than 256 props in a view of which it knows nothing, as after
+ *    a cut of the camera.
  *    The first exchange then gives the depth of the few props that were drawn as a guess.
  *  - After an exchange in which no rank has reported a change, each frame begins with a poll: a
  *    message of one float, by which the ranks find out whether anything has changed since. If not,

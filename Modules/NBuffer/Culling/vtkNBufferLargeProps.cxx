@@ -12,8 +12,8 @@
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
+#include "vtkDataObject.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataSet.h"
 #include "vtkMapper.h"
 
 VTK_ABI_NAMESPACE_BEGIN

@@ -9,10 +9,9 @@
 
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
-class vtkProp;
-
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidate;
+class vtkProp;
 
 namespace vtkNBufferLargeProps
 {

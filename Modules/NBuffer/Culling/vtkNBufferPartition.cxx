@@ -167,8 +167,8 @@ std::vector<int> vtkNBufferPartition::RemoveOccluders(
   vtkNBufferCoarseDepth depth(projection.GetWidth(), projection.GetHeight());
   std::for_each(
     places.begin(), end, [&](int i) { depth.Add(getScreen(i).Pixels, getScreen(i).Farthest); });
-  // With an eighth, as of units, walls of tiles leave open what is behind them: the middles of the
-  // tiles have gaps between them.
+  // With an eighth, as of units, a wall of many small props leaves open what is behind it: the
+  // middles of these props have gaps between them.
   constexpr int openShare = 4;
   const auto isOpen = [&](int i)
   { return depth.IsOpen(getScreen(i).Pixels, getScreen(i).Nearest, openShare); };

@@ -14,15 +14,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// What all ranks must have in common in a view. These are the numbers that applications send from
-/// rank to rank, and not matrices, because processors of different kinds may round matrices
-/// differently.
+/// The numbers of this rank's view, by which it notices that the view has changed.
 std::vector<double> GetSharedView(vtkRenderer* renderer)
 {
   std::vector<double> view(26);
@@ -117,11 +114,9 @@ bool vtkNBufferSharedDepth::Agree()
   std::vector<float> values = wanted;
   std::transform(
     wanted.begin(), wanted.end(), std::back_inserter(values), [](float value) { return -value; });
-  std::vector<float> minima(values.size());
-  this->Frame.Bytes += static_cast<long long>(values.size() * sizeof(float));
-  if (!this->Reduce(values.data(), minima.data(), static_cast<int>(values.size())))
+  std::vector<float> minima;
+  if (!this->Send(values, minima))
   {
-    this->WarnOnce("the exchange failed. Each rank culls by its own depth");
     return false;
   }
   if (minima != values)
@@ -168,13 +163,9 @@ bool vtkNBufferSharedDepth::Exchange(const float* texels, int number)
     this->Report.Unhidden = std::exchange(this->Unhidden, 0);
   }
   message.SetReport(this->Report);
-  const std::vector<float>& values = message.GetValues();
-  this->Minima.resize(values.size());
   ++this->Frame.Exchanges;
-  this->Frame.Bytes += static_cast<long long>(values.size() * sizeof(float));
-  if (!this->Reduce(values.data(), this->Minima.data(), static_cast<int>(values.size())))
+  if (!this->Send(message.GetValues(), this->Minima))
   {
-    this->WarnOnce("the exchange failed. Each rank culls by its own depth");
     return true;
   }
   const vtkNBufferRankReply reply = message.GetReply(this->Minima);
@@ -269,12 +260,23 @@ void vtkNBufferSharedDepth::EndFrame(vtkRenderer* renderer, const Layout& layout
   this->LastCounts = this->Frame;
 }
 
-void vtkNBufferSharedDepth::WarnOnce(const char* text)
+bool vtkNBufferSharedDepth::Send(const std::vector<float>& values, std::vector<float>& minima)
 {
-  if (!this->HasWarned)
+  minima.resize(values.size());
+  this->Frame.Bytes += static_cast<long long>(values.size() * sizeof(float));
+  const bool isDone = this->Reduce(values.data(), minima.data(), static_cast<int>(values.size()));
+  if (!isDone)
+  {
+    this->WarnOnce("the exchange failed. Each rank culls by its own depth");
+  }
+  return isDone;
+}
+
+void vtkNBufferSharedDepth::WarnOnce(const std::string& text)
+{
+  if (this->Warnings.insert(text).second)
   {
     vtkGenericWarningMacro(<< "vtkNBufferDepthExchange: " << text << ".");
   }
-  this->HasWarned = true;
 }
 VTK_ABI_NAMESPACE_END

@@ -37,14 +37,17 @@
 #ifndef vtkNBufferSharedDepth_h
 #define vtkNBufferSharedDepth_h
 
-#include "vtkNBufferBackend.h"
 #include "vtkNBufferExchangeMessage.h"
 #include "vtkNBufferExchangePlan.h"
 
 #include <functional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferLevels;
 class vtkRenderer;
 
 class vtkNBufferSharedDepth
@@ -89,8 +92,8 @@ public:
    */
   bool Poll(bool changed);
 
-  /// What this rank reports of this frame. The culler sets Step, NewProps and Candidates. This
-  /// class sets the other members.
+  /// What this rank reports of this frame. The culler sets NewProps, Candidates and, if it
+  /// reads the depth, Step. This class sets what is left.
   vtkNBufferRankReport& GetReport() { return this->Report; }
 
   /// Set what a trial has found hidden by this rank's own depth, and by that of all ranks. The
@@ -126,7 +129,9 @@ private:
   void Join(const float* texels);
   bool Exchange(const float* texels, int number);
   bool ReadDepth(vtkRenderer* renderer, std::vector<float>& texels);
-  void WarnOnce(const char* text);
+  /// Get the minima of all ranks' values. Returns false, after a warning, if that fails.
+  bool Send(const std::vector<float>& values, std::vector<float>& minima);
+  void WarnOnce(const std::string& text);
 
   Reduction Reduce;
   vtkNBufferExchangePlan Plan;
@@ -139,11 +144,11 @@ private:
   int Size[2] = { 0, 0 };    ///< The size of level 0, in texels.
   std::vector<float> Agreed; ///< What all ranks have agreed on; empty if they have not.
   bool HasBegun = false;
-  bool HasMoved = false;  ///< Whether the view is not that of the last frame.
-  bool HasPolled = false; ///< Whether Poll() was called in this frame.
-  bool HasGiven = false;  ///< Whether this rank gave any depth to the last exchange.
-  bool HasShared = false; ///< Whether Minima is valid for this frame.
-  bool HasWarned = false;
+  bool HasMoved = false;          ///< Whether the view is not that of the last frame.
+  bool HasPolled = false;         ///< Whether Poll() was called in this frame.
+  bool HasGiven = false;          ///< Whether this rank gave any depth to the last exchange.
+  bool HasShared = false;         ///< Whether Minima is valid for this frame.
+  std::set<std::string> Warnings; ///< Those given so far.
   int Joined = 0;
   int Gain = 0; ///< The results of the last trial, until they are reported.
   int Unhidden = 0;

@@ -126,7 +126,7 @@ private:
   ///@}
 
   std::shared_ptr<vtkNBufferBackend> Backend;
-  vtkNBufferBackOff BackOffs[2]; ///< If Division.Classify() returns false, or true.
+  vtkNBufferBackOff BackOffs[2]; ///< For frames in which all props are drawn whole, and for others.
   vtkNBufferBackOff* BackOff = nullptr;
   vtkNBufferCandidateList Props;
   vtkNBufferPartition Partition;

@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
+#include <system_error>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -145,13 +147,37 @@ void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
   const bool isSingle = source.HasBlocks() || source.AreInstances;
   const std::size_t size = isSingle ? 1 : static_cast<std::size_t>(tuning.UnitSize);
   // No other code uses the member Mesh until the units are made.
-  this->Pending = std::async(tuning.DivideInBackground ? std::launch::async : std::launch::deferred,
-    [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); });
+  const auto make = [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); };
+  bool isStarted = tuning.DivideInBackground;
+  try
+  {
+    if (isStarted)
+    {
+      this->Pending = std::async(std::launch::async, make);
+    }
+  }
+  catch (const std::system_error&) // No thread can be started.
+  {
+    isStarted = false;
+  }
+  if (!isStarted)
+  {
+    this->Pending = std::async(std::launch::deferred, make);
+  }
 }
 
 void vtkNBufferDividedProp::Adopt()
 {
-  this->Culling.SetUnits(this->Pending.get());
+  vtkNBufferUnits units;
+  try
+  {
+    units = this->Pending.get();
+  }
+  catch (const std::bad_alloc&)
+  {
+    // Without units the prop is drawn whole.
+  }
+  this->Culling.SetUnits(std::move(units));
   this->Mesh = {};
   this->State = this->Culling.GetUnits().GetSize() == 0 ? Phase::Refused : Phase::Ready;
   if (this->State == Phase::Ready)

@@ -38,7 +38,6 @@
 #include "vtkNBufferUnitCulling.h"
 
 #include "vtkActor.h" // For the weak pointer
-#include "vtkNew.h"
 #include "vtkWeakPointer.h"
 
 #include <functional>

@@ -77,7 +77,7 @@ public:
     std::size_t Corners = 0;
     bool AreInstances = false; ///< Corners of boxes are those of instances.
     /// Whether the shader reads values by the numbers of primitives, for example values of cells.
-    /// This depends on the shader alone, and is not compared.
+    /// This depends on the shader alone, and operator== does not compare it.
     bool IsNumbered = false;
     bool HasIndices = true; ///< Whether VTK's draw has an index buffer. Not compared.
 

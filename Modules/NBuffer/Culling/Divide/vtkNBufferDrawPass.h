@@ -17,6 +17,10 @@
 
 #include "vtkNBufferModule.h"     // For export macro
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkInformationIntegerKey;
+class vtkMapper;
+class vtkWindow;
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -25,11 +29,6 @@
 #include <map>
 #include <memory>
 #include <utility>
-
-class vtkActor;
-class vtkInformationIntegerKey;
-class vtkMapper;
-class vtkWindow;
 
 VTK_ABI_NAMESPACE_BEGIN
 

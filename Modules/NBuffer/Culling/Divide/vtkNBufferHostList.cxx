@@ -75,10 +75,13 @@ bool Copy(const std::vector<Range>& ranges, std::size_t size, std::size_t count,
   const std::size_t bytes = records.Words * sizeof(std::uint32_t);
   const Mapping target(
     records.Target, count * bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-  if (records.Source == 0 && target.GetWords())
+  if (records.Source == 0)
   {
-    CopyNumbers(ranges, target.GetWords());
-    return true;
+    if (target.GetWords())
+    {
+      CopyNumbers(ranges, target.GetWords());
+    }
+    return target.GetWords() != nullptr;
   }
   const Mapping source(records.Source, size * bytes, GL_MAP_READ_BIT);
   const bool isMapped = source.GetWords() && target.GetWords();

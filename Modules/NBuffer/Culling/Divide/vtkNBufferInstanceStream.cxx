@@ -40,10 +40,10 @@ constexpr unsigned int NoInstance = std::numeric_limits<unsigned int>::max();
 /// The size of a buffer of VTK.
 std::size_t GetBytes(vtkOpenGLBufferObject* buffer)
 {
-  GLint bytes = 0;
+  GLint64 bytes = 0;
   if (buffer->GetHandle() != 0 && buffer->Bind())
   {
-    glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
+    glGetBufferParameteri64v(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
     buffer->Release();
   }
   return static_cast<std::size_t>(bytes);
@@ -90,9 +90,20 @@ vtkIdType vtkNBufferInstanceStream::CountPolygons(vtkActor* actor)
   {
     polygons.push_back(static_cast<double>(mapper->GetSource(source)->GetNumberOfPolys()));
   }
-  const std::vector<int> sources = vtkNBufferGlyphs::GetSources(mapper);
-  const double sum = std::accumulate(sources.begin(), sources.end(), 0.0,
-    [&polygons](double before, int source) { return before + polygons[source + 1]; });
+  double sum = 0.0;
+  if (polygons.size() == 2)
+  {
+    // The sources of all points need not be listed, which takes milliseconds for a million.
+    sum = polygons[1] *
+      static_cast<double>(
+        mapper->GetInputDataObject(0, 0)->GetNumberOfElements(vtkDataObject::POINT));
+  }
+  else
+  {
+    const std::vector<int> sources = vtkNBufferGlyphs::GetSources(mapper);
+    sum = std::accumulate(sources.begin(), sources.end(), 0.0,
+      [&polygons](double before, int source) { return before + polygons[source + 1]; });
+  }
   return static_cast<vtkIdType>(std::min<double>(sum, VTK_INT_MAX));
 }
 

@@ -40,6 +40,10 @@ void vtkNBufferOwnDraw::Draw()
   this->IndexCount = std::exchange(this->Stream->IBO->IndexCount, 0);
   if (!this->HasIndices)
   {
+    if (this->Nothing == 0 && vtkNBufferGL::IsCountingSamples())
+    {
+      return; // No query can begin now. All of the splats are drawn.
+    }
     if (this->Nothing == 0)
     {
       glGenQueries(1, &this->Nothing);

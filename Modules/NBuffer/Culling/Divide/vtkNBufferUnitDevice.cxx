@@ -99,6 +99,8 @@ bool vtkNBufferUnitDevice::Begin(vtkOpenGLRenderWindow* window, vtkNBufferBacken
 {
   if (this->ContextTime != window->GetContextCreationTime())
   {
+    this->Tests.Delete(vtkNBufferGL::Context::Gone);
+    this->Lists.Delete(vtkNBufferGL::Context::Gone);
     this->ContextTime = window->GetContextCreationTime();
     this->IsSoftware = vtkNBufferGL::GetSoftwareRenderer() != nullptr;
     this->Prepared = this->Checked = false;

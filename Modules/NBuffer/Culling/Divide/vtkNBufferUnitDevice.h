@@ -30,7 +30,6 @@
 
 #include "vtkType.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>

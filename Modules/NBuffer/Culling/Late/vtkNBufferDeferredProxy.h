@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferDeferredProxy
- * @brief The last prop in a renderer's list; it represents all opaque props that are held back.
+ * @brief Represents all opaque props that are held back, at the end of the renderer's list or
+ * before the first prop that blends in the opaque stage.
  *
- * When the renderer draws the proxy, the depth of all other opaque props is in the framebuffer. The
- * proxy then lets its owner test the props that are held back and draw those that may be visible.
- * They are plain opaque actors (vtkNBufferCandidate), so the proxy draws nothing in the stages for
- * translucent, volumetric and overlay geometry. README.md of this folder describes the whole frame.
+ * When the renderer draws the proxy, the depth of all opaque props before it is in the framebuffer.
+ * The proxy then lets its owner test the props that are held back and draw those that may be
+ * visible. They are plain opaque actors (vtkNBufferCandidate), so the proxy draws nothing in the
+ * stages for translucent, volumetric and overlay geometry. README.md of this folder describes the
+ * whole frame.
  */
 #ifndef vtkNBufferDeferredProxy_h
 #define vtkNBufferDeferredProxy_h

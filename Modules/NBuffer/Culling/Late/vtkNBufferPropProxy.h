@@ -6,10 +6,10 @@
  * or a large one of which only some units are drawn.
  *
  * The proxy of a translucent prop draws it in the translucent stage only while it is open. It is
- * open when the frame begins, and the culler closes it when this frame's depth shows that the prop
- * is hidden. A closed proxy still says that it has translucent geometry, so that the renderer takes
- * the same way through its render passes as without the culler. README.md of this folder describes
- * the whole frame.
+ * open when a frame with a test begins, and the culler closes it when this frame's depth shows that
+ * the prop is hidden. Without a test it is as the last test has left it. A closed proxy still says
+ * that it has translucent geometry, so that the renderer takes the same way through its render
+ * passes as without the culler. README.md of this folder describes the whole frame.
  */
 #ifndef vtkNBufferPropProxy_h
 #define vtkNBufferPropProxy_h

@@ -50,9 +50,7 @@ namespace vtkNBufferTieQuery
 {
 bool HasTies(const std::function<void()>& draw)
 {
-  int running = 0;
-  glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &running);
-  if (running != 0)
+  if (vtkNBufferGL::IsCountingSamples())
   {
     return true;
   }

@@ -83,8 +83,8 @@ public:
   const std::vector<Face>& GetFaces() const { return this->Items; }
 
 private:
-  /// Add the faces of a sequence of triangles. The planes are relative to `origin`.
   using Corners = std::array<glm::dvec3, 3>;
+  /// Add the faces of a sequence of triangles. The planes are relative to `origin`.
   void Add(const std::vector<Corners>& triangles, const glm::dvec3& origin);
 
   std::vector<Piece> Pieces;
