@@ -265,7 +265,7 @@ TEST(CullerLifetimeOnce, AbortedFramesAreNotLearntFrom)
 // in the list.
 TEST(CullerLifetimeOnce, NewPropAtTheAddressOfADeletedLargeOne)
 {
-  bool haveSameAddresses = true;
+  bool haveSameAddress = false;
   // Nothing but the renderer keeps the actor.
   const auto add = [](vtkRenderer* renderer, double radius) -> const void*
   {
@@ -296,16 +296,17 @@ TEST(CullerLifetimeOnce, NewPropAtTheAddressOfADeletedLargeOne)
     [&](Stage& stage)
     {
       vtkActor* old = stage.GetRenderer()->GetActors()->GetLastActor();
-      const void* address = old;
+      const void* before = old;
       stage.GetRenderer()->RemoveActor(old);
-      haveSameAddresses = haveSameAddresses && add(stage.GetRenderer(), 3.0) == address;
+      const void* after = add(stage.GetRenderer(), 3.0);
+      haveSameAddress = haveSameAddress || (&stage == &comparison.Culled && after == before);
     });
   for (int i = 0; i < 6; ++i)
   {
     Scenes::FrameOfWall(comparison, 0.05 * i, "after");
   }
   EXPECT_GT(comparison.GetStatistics().Units, 0);
-  if (!haveSameAddresses)
+  if (!haveSameAddress)
   {
     GTEST_SKIP() << "SKIPPED: the new actor has another address here";
   }
