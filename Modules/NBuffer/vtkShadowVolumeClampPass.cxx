@@ -13,6 +13,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -161,6 +162,8 @@ const vtkShadowStatistics& vtkShadowVolumeClampPass::GetStatistics() const
 void vtkShadowVolumeClampPass::Render(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
+  // An observer may take the pass from the renderer while it draws.
+  const vtkSmartPointer<vtkShadowVolumeClampPass> keepAlive = this;
   if (renderer->GetPass() == this)
   {
     // vtkCamera::Render() finds out from the window whether there are two eyes, and VTK's camera

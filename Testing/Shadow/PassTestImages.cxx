@@ -195,6 +195,69 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
   }
 }
 
+// Hazard: VTK pushes surfaces away from the eye, so that edges and decals show, but not the volumes
+// that begin in these surfaces: the lit side of an open caster would be in its own shadow.
+TEST_F(PassImages, CoincidentTopologyDarkensNothing)
+{
+  const Stage stage = SetNamedStage("Directional");
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const auto getMask = [&]()
+  {
+    stage.Window->Render();
+    int size[2];
+    return pass->GetMask(stage.Lights[0], size[0], size[1]);
+  };
+  for (const int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Automatic,
+         vtkShadowVolumeClampPass::Clamped })
+  {
+    pass->SetMode(mode);
+    const std::vector<unsigned char> expected = getMask();
+    for (const double offset : { 1.0, 4.0, -4.0 })
+    {
+      SCOPED_TRACE(offset);
+      for (vtkActor* actor : GetActors(stage.GetRenderer()))
+      {
+        actor->GetMapper()->SetResolveCoincidentTopology(VTK_RESOLVE_POLYGON_OFFSET);
+        actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(offset, offset);
+      }
+      const std::vector<unsigned char> mask = getMask();
+      ASSERT_EQ(mask.size(), expected.size());
+      std::size_t differing = 0;
+      for (std::size_t i = 0; i < mask.size(); ++i)
+      {
+        differing += mask[i] != expected[i];
+      }
+      // Where two surfaces meet, the other one may have the pixel.
+      EXPECT_LT(differing, mask.size() / 1000) << "of " << mask.size();
+    }
+  }
+  vtkMapper::SetResolveCoincidentTopologyToDefault();
+}
+
+// Hazard: VTK's shader compares the cosine of the cone's angle, which may be negative.
+TEST_F(PassImages, NegativeConesAreAsWideAsPositiveOnes)
+{
+  const Stage stage = SetStage(
+    [](SceneBuilder& scene)
+    {
+      scene.Floor(5.0);
+      scene.Box({ 0.0, 0.0, 1.0 }, { 0.6, 0.6, 0.6 });
+      scene.Spot({ 0.0, 0.0, 9.0 }, { 0.0, 0.0, 0.0 }, 20.0);
+      scene.Look({ 0.0, -8.0, 6.0 }, { 0.0, 0.0, 0.0 });
+    },
+    200, 150);
+  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const Picture expected = RenderPicture(stage);
+  EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
+  stage.Lights[0]->SetConeAngle(-stage.Lights[0]->GetConeAngle());
+  for (const int mode :
+    { vtkShadowVolumeClampPass::Automatic, vtkShadowVolumeClampPass::Scissored })
+  {
+    AddPass(stage)->SetMode(mode);
+    EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+  }
+}
+
 // There are more lights than one texture has channels for.
 TEST_F(PassImages, ManyMasks)
 {

@@ -48,6 +48,8 @@ float NBufferShadow(sampler2D mask, int channel)
   return texelFetch(mask, ivec2(gl_FragCoord.xy), 0)[channel];
 }
 #endif
+// How much VTK's offsets of coincident topology count: 1, or 0 where the depth of receivers is drawn.
+uniform float shadowOffsets;
 uniform float shadowAttenuations[NBUFFER_SHADOW_LIGHTS];
 
 // The share of a light that arrives: exactly 1 where it shines.

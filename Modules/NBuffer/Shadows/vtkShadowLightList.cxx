@@ -6,6 +6,8 @@
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
 
+#include <cmath>
+
 VTK_ABI_NAMESPACE_BEGIN
 std::vector<vtkShadowLightSource> vtkShadowLightSource::Find(
   vtkRenderer* renderer, const std::function<bool(vtkLight*)>& casts)
@@ -31,11 +33,12 @@ std::vector<vtkShadowLightSource> vtkShadowLightSource::Find(
     light->GetTransformedFocalPoint(glm::value_ptr(focalPoint));
     const bool directed = glm::length(focalPoint - geometry.Position) > 0.0;
     geometry.Direction = vtkNBufferGLM::Normalize(focalPoint - geometry.Position);
-    const bool spot = light->GetPositional() && light->GetConeAngle() < 90.0;
+    const double cone = std::abs(light->GetConeAngle()); // VTK compares cosines.
+    const bool spot = light->GetPositional() && cone < 90.0;
     if (light->GetPositional())
     {
       geometry.Kind = spot ? vtkShadowLightKind::Spot : vtkShadowLightKind::Point;
-      geometry.ConeAngle = light->GetConeAngle();
+      geometry.ConeAngle = cone;
     }
     if (!directed)
     {

@@ -17,9 +17,29 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Calls a function when it ends, even if an observer of the application throws an exception.
+class AtEnd
+{
+public:
+  explicit AtEnd(std::function<void()> function)
+    : Function(std::move(function))
+  {
+  }
+  ~AtEnd() { this->Function(); }
+  AtEnd(const AtEnd&) = delete;
+  void operator=(const AtEnd&) = delete;
+
+private:
+  std::function<void()> Function;
+};
+}
 
 vtkShadowOpaqueStage::vtkShadowOpaqueStage(vtkOpenGLRenderPass* pass)
   : Pass(pass)
@@ -84,6 +104,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   // The shaders that will draw the colour also draw the depth, so that both have the same depth to
   // the bit, and no mapper has to build its shaders twice.
   this->JoinProps(state);
+  std::optional<AtEnd> leave(std::in_place, [&] { this->LeaveProps(state); });
   if (!still)
   {
     this->Key = vtkShadowFrameKey();
@@ -94,12 +115,12 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
     this->Shading.SetLights(lights);
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Color);
     this->Draw(state, this->GetTarget().GetDepth());
-    this->LeaveProps(state);
+    leave.reset();
     statistics.Decision = still ? vtkShadowDecision::Still : vtkShadowDecision::Drawn;
   }
   else
   {
-    this->LeaveProps(state);
+    leave.reset();
     if (!done)
     {
       ++statistics.FailedFrames;
@@ -131,10 +152,10 @@ bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings
   const vtkNBufferClock clock;
   this->Masks.BeginDepth(this->Window);
   {
+    const AtEnd pop([this] { this->Window->GetState()->PopFramebufferBindings(); });
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Depth);
     this->Draw(state, nullptr);
   }
-  this->Window->GetState()->PopFramebufferBindings();
   this->Statistics.DepthTime = clock.GetMilliseconds();
   return this->Masks.Make({ state->GetRenderer(), lights, this->Casters, this->Timers,
                             this->DebugView, this->Statistics },

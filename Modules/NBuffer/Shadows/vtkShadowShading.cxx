@@ -41,6 +41,15 @@ void vtkShadowShading::Declare(std::string& fragmentShader) const
 
 bool vtkShadowShading::Insert(std::string& fragmentShader) const
 {
+  // Volumes begin in the surfaces themselves. A surface that was pushed away from the eye, so that
+  // lines on it show, would be in its own shadow.
+  for (const std::string offset : { "cFactor*cscale", "cOffset/65000" })
+  {
+    if (fragmentShader.find("shadowOffsets*" + offset) == std::string::npos)
+    {
+      vtkShaderProgram::Substitute(fragmentShader, offset, "shadowOffsets*" + offset);
+    }
+  }
   bool isKnown = true;
   for (std::size_t i = 0; i < this->ShaderLights.size(); ++i)
   {
@@ -101,6 +110,10 @@ void vtkShadowShading::SetParameters(vtkShaderProgram* program)
     program->SetUniform2fv("shadowSamples", static_cast<int>(this->SampleOffsets.size() / 2),
       this->SampleOffsets.data());
   }
+  if (program->IsUniformUsed("shadowOffsets"))
+  {
+    program->SetUniformf("shadowOffsets", this->DrawsColor ? 1.0f : 0.0f);
+  }
   if (program->IsUniformUsed("shadowAttenuations"))
   {
     program->SetUniform1fv(
@@ -122,6 +135,7 @@ vtkShadowShading::Scope::Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow*
     target.GetMask(i)->Activate();
     shading.TextureUnits[i] = target.GetMask(i)->GetTextureUnit();
   }
+  shading.DrawsColor = depth != nullptr;
   shading.DepthUnit = shading.TextureUnits[0];
   if (depth)
   {

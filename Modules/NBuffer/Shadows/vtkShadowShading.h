@@ -48,7 +48,8 @@ public:
   /// code. It does nothing in a shader that already declares them.
   void Declare(std::string& fragmentShader) const;
 
-  /// Multiplies the terms of lights by their shares. Call it after the mapper has inserted its own
+  /// Multiplies the terms of lights by their shares, and VTK's offsets of depth by 0 where only the
+  /// depth of receivers is drawn. Call it after the mapper has inserted its own
   /// code. It does nothing for lights whose terms are already multiplied. Returns false if the
   /// shader uses a light in an unknown way, so that its props receive no shadow of that light.
   bool Insert(std::string& fragmentShader) const;
@@ -56,7 +57,8 @@ public:
   /// Sets the uniforms of a mapper's program. Call it within a Scope.
   void SetParameters(vtkShaderProgram* program);
 
-  /// Binds the masks of `target`, and `depth` if it is not nullptr, to texture units. When the
+  /// Binds the masks of `target`, and `depth` if it is not nullptr, to texture units. Without
+  /// `depth` the depth of receivers is drawn, otherwise their color. When the
   /// scope ends, it releases them and restores the active texture unit.
   class Scope
   {
@@ -80,6 +82,7 @@ private:
   std::vector<vtkShadowLightSource> Lights;
   std::vector<int> TextureUnits; ///< Element i is the texture unit of mask i.
   int DepthUnit = 0;
+  bool DrawsColor = true;
   /// The program whose uniforms were set last in this Scope, and its handle. Most props share their
   /// program, which keeps its uniforms from prop to prop.
   std::pair<const void*, int> LastProgram = {};
