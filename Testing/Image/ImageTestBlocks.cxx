@@ -10,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCubeSource.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -423,6 +424,39 @@ TEST(CullerBlocksChanges, AreNoticedWhileNothingIsDrawn)
     comparison.Frame("after");
     comparison.Frame("after");
   }
+}
+
+// Hazard: a block comes out from behind a wall, and leaves the time of its tree as it is. VTK knows
+// of it when it draws the block, and the culler does not draw it.
+TEST(CullerBlocksChanges, AHiddenBlockComesInFront)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      vtkNew<vtkCubeSource> cube;
+      cube->SetCenter(0.0, 0.0, -6.0);
+      cube->Update();
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, cube->GetOutput());
+      AddBlocks(stage, blocks);
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    Scenes::FrameOfWall(comparison, 0.02 * i, "behind");
+  }
+  EXPECT_EQ(comparison.GetVerdict(Scenes::Wall::Count), Verdict::Hidden);
+  comparison.Both(
+    [](Stage& stage)
+    {
+      vtkDataObject* blocks =
+        stage.GetActor(Scenes::Wall::Count)->GetMapper()->GetInputDataObject(0, 0);
+      auto* cube =
+        vtkPolyData::SafeDownCast(static_cast<vtkMultiBlockDataSet*>(blocks)->GetBlock(0));
+      TestScene::MovePoints(cube->GetPoints(), { 0.0, 0.0, 9.0 });
+    });
+  Scenes::FrameOfWall(comparison, 0.1, "in front");
+  EXPECT_EQ(comparison.GetVerdict(Scenes::Wall::Count), Verdict::Visible);
 }
 
 // Hazard: a selection draws only the culler's list of blocks, so that hidden blocks cannot be

@@ -290,6 +290,14 @@ const Occluder Occluders[] = {
       blocks->Modified();
     },
     Verdict::Visible },
+  // Hazard: the tree of blocks is as old as before.
+  { "CompositeBlockMovedAlone", MakeComposite,
+    [](vtkProp* p)
+    {
+      auto* blocks = vtkMultiBlockDataSet::SafeDownCast(GetComposite(p)->GetInputDataObject(0, 0));
+      LiftPointsOf(blocks->GetBlock(0));
+    },
+    Verdict::Visible },
   // Hazard: texels become translucent in place, far from actor and mapper.
   { "TextureTurnsTranslucent",
     AsPropOf([](TestScene::Prop& p) { p.Texture = TestScene::Translucency::Opaque; }),

@@ -129,6 +129,7 @@ bool vtkNBufferBackend::DrawsKnownDepth(const vtkNBufferDepthSource& source)
       scissor[0] + scissor[2] >= viewport[0] + viewport[2] &&
       scissor[1] + scissor[3] >= viewport[1] + viewport[3]);
   return glIsEnabled(GL_DEPTH_TEST) && mask && wholeViewport &&
+    !glIsEnabled(GL_POLYGON_OFFSET_FILL) && !glIsEnabled(GL_DEPTH_CLAMP) &&
     source.Stored != vtkNBufferStoredDepth::Other;
 }
 

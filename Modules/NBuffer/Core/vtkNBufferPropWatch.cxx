@@ -82,8 +82,9 @@ vtkMTimeType GetTimeWithData(vtkAlgorithm* algorithm, bool withBlocks)
   {
     for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
     {
-      time = std::max(
-        time, vtkNBufferPropWatch::GetDataTime(algorithm->GetInputDataObject(port, i), withBlocks));
+      // A producer may get other data that is older than all else.
+      time = std::max({ time, algorithm->GetInputAlgorithm(port, i)->GetMTime(),
+        vtkNBufferPropWatch::GetDataTime(algorithm->GetInputDataObject(port, i), withBlocks) });
     }
   }
   return time;
@@ -133,7 +134,8 @@ vtkNBufferPropWatch::GlobalState vtkNBufferPropWatch::GetGlobalState()
   state[1] = vtkMapper::GetResolveCoincidentTopologyZShift();
   vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(state[2], state[3]);
   vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(state[4], state[5]);
-  state[6] = vtkNBufferKnownClasses::GetVersion();
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(state[6]);
+  state[7] = vtkNBufferKnownClasses::GetVersion();
   return state;
 }
 
@@ -158,7 +160,7 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
   }
   this->UserTransform = this->Actor->GetUserTransform();
   this->Complete = !this->Mapper ||
-    (!vtkNBufferSurface::IsComposite(this->Mapper) &&
+    (!vtkNBufferSurface::IsComposite(this->Mapper) && !this->Mapper->GetSelection() &&
       !vtkNBufferSurface::HasReplacedShaders(this->Actor) &&
       !vtkNBufferSurface::HasOtherCoordinates(this->Actor));
   // Whether a texture is translucent depends on a pipeline of its own, and the time of a mapper

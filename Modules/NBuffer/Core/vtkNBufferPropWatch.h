@@ -142,7 +142,7 @@ public:
 
   /// What may change what props draw, or which props are known, without changing the times of the
   /// props: VTK's settings for all mappers, and the version of vtkNBufferKnownClasses.
-  using GlobalState = std::array<double, 7>;
+  using GlobalState = std::array<double, 8>;
   static GlobalState GetGlobalState();
 
 private:

@@ -127,28 +127,6 @@ void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* dat
   }
 }
 
-/// The bounds of what a mapper draws and of its blocks that are switched off: they are in the
-/// vertex buffers as well.
-vtkBoundingBox GetBoundsOfBuffers(vtkMapper* mapper)
-{
-  vtkBoundingBox box(mapper->GetBounds());
-  auto* composite = CompositeMapper::SafeDownCast(mapper);
-  auto* attributes = composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
-  if (attributes && attributes->HasBlockVisibilities())
-  {
-    std::vector<vtkNBufferSurface::Part> blocks;
-    AddBlocks(nullptr, mapper->GetInputDataObject(0, 0), {}, blocks);
-    for (const vtkNBufferSurface::Part& block : blocks)
-    {
-      if (block.Mesh->GetNumberOfPoints() > 0)
-      {
-        box.AddBounds(block.Mesh->GetPoints()->GetBounds());
-      }
-    }
-  }
-  return box;
-}
-
 vtkNBufferSurface::Part MakePart(vtkMatrix4x4* toWorld)
 {
   vtkNBufferSurface::Part part;
@@ -329,28 +307,46 @@ bool vtkNBufferSurface::HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints)
   return linesOrPoints || ((factor != 0.0 || units != 0.0) && (factor < 1.0 || units < 0.0));
 }
 
+vtkBoundingBox vtkNBufferSurface::GetBoundsOfPoints(vtkMapper* mapper, bool visibleOnly)
+{
+  vtkBoundingBox box(mapper->GetBounds());
+  std::vector<Part> parts;
+  auto* composite = visibleOnly ? CompositeMapper::SafeDownCast(mapper) : nullptr;
+  AddBlocks(composite ? composite->GetCompositeDataDisplayAttributes() : nullptr,
+    mapper->GetInputDataObject(0, 0), {}, parts);
+  for (const Part& part : parts)
+  {
+    if (part.IsVisible && part.Mesh->GetNumberOfPoints() > 0)
+    {
+      box.AddBounds(part.Mesh->GetPoints()->GetBounds());
+    }
+  }
+  return box;
+}
+
 std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBufferCoordinates(
   vtkMapper* mapper)
 {
   auto* plain =
     GetKind(mapper) == Kind::PolyData ? static_cast<vtkOpenGLPolyDataMapper*>(mapper) : nullptr;
-  vtkPolyData* input = plain ? plain->GetInput() : nullptr;
-  if (!input || !input->GetPoints())
-  {
-    // The points of the buffers cannot be read here. Whether VTK shifts them or not, the vertices
-    // and the origin of the buffers are within twice the bounds.
-    double bounds[6];
-    GetBoundsOfBuffers(mapper).GetBounds(bounds);
-    const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
-    const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
-    return BufferCoordinates{ glm::dvec3(0.0),
-      2.0 * glm::max(vtkNBufferGLM::Abs(low), vtkNBufferGLM::Abs(high)) };
-  }
-  const int method = plain->GetVBOShiftScaleMethod();
+  auto* composite = CompositeMapper::SafeDownCast(mapper);
+  const int method = plain ? plain->GetVBOShiftScaleMethod()
+                           : (composite ? composite->GetVBOShiftScaleMethod() : -1);
   if (method == vtkOpenGLVertexBufferObject::NEAR_PLANE_SHIFT_SCALE ||
     method == vtkOpenGLVertexBufferObject::FOCAL_POINT_SHIFT_SCALE)
   {
     return std::nullopt;
+  }
+  vtkPolyData* input = plain ? plain->GetInput() : nullptr;
+  if (!input || !input->GetPoints())
+  {
+    // VTK may shift all points by one of them: vertices are within twice the bounds of all.
+    double bounds[6];
+    GetBoundsOfPoints(mapper, false).GetBounds(bounds);
+    const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+    const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+    return BufferCoordinates{ glm::dvec3(0.0),
+      3.0 * glm::max(vtkNBufferGLM::Abs(low), vtkNBufferGLM::Abs(high)) };
   }
   // All points, used by cells or not, determine the scale of the buffer.
   glm::dvec3 low(0.0);

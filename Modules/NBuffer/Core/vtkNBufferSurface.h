@@ -20,6 +20,7 @@
 #ifndef vtkNBufferSurface_h
 #define vtkNBufferSurface_h
 
+#include "vtkBoundingBox.h"
 #include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkSmartPointer.h"
@@ -83,6 +84,9 @@ public:
   static double GetMarginOfLines(vtkProperty* property);
   static bool DrawsLines(vtkMapper* mapper);
   ///@}
+
+  /// The bounds of a mapper and of all its points. VTK notices a changed block only when it draws.
+  static vtkBoundingBox GetBoundsOfPoints(vtkMapper* mapper, bool visibleOnly);
 
   /**
    * How far, in pixels, the position at which VTK's shader lights a fragment of an actor may be

@@ -34,6 +34,14 @@ bool HasUsableBounds(const double* bounds)
     std::all_of(bounds, bounds + 6, [](double value) { return std::abs(value) < Infinite; });
 }
 
+/// Whether a matrix leaves w as it is. VTK's bounds of what other ones project are not those of
+/// what the device draws.
+bool IsAffine(vtkMatrix4x4* matrix)
+{
+  const double* row = matrix->Element[3];
+  return row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0 && row[3] == 1.0;
+}
+
 /// Whether an actor is opaque by force, and translucent if nothing is forced (see
 /// vtkActor::HasTranslucentPolygonalGeometry()).
 bool IsForcedToBeOpaque(vtkActor* actor)
@@ -118,7 +126,7 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   }
   const bool linesOrPoints = this->Box.Margin > 0.0;
   if (!vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), linesOrPoints) ||
-    (linesOrPoints && vtkNBufferSurface::DrawsLines(mapper)))
+    (linesOrPoints && vtkNBufferSurface::DrawsLines(mapper)) || mapper->GetSelection())
   {
     return vtkNBufferVerdict::NotASurface;
   }
@@ -147,11 +155,23 @@ vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
   vtkMapper* mapper = actor->GetMapper();
   const double* bounds = mapper ? actor->GetBounds() : nullptr;
   this->Box = vtkNBufferBox();
-  if (!HasUsableBounds(bounds))
+  if (!HasUsableBounds(bounds) || !IsAffine(actor->GetMatrix()))
   {
     return vtkNBufferVerdict::NoBounds;
   }
   this->Box = vtkNBufferBox::FromBounds(bounds);
+  if (vtkNBufferSurface::IsComposite(mapper))
+  {
+    const vtkBoundingBox own(mapper->GetBounds());
+    const vtkBoundingBox ofBlocks = vtkNBufferSurface::GetBoundsOfPoints(mapper, true);
+    if (!own.Contains(ofBlocks))
+    {
+      double b[6];
+      ofBlocks.GetBounds(b);
+      this->Box.SetPlace(vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()),
+        { b[0], b[2], b[4] }, { b[1], b[3], b[5] });
+    }
+  }
   this->Box.Margin = vtkNBufferSurface::GetMargin(actor);
   const auto buffer = vtkNBufferSurface::GetBufferCoordinates(mapper);
   if (!buffer)

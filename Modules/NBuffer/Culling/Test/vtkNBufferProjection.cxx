@@ -54,7 +54,7 @@ public:
       (glm::dvec3(this->Error) + vtkNBufferGLM::Abs(ndc) * this->Error.w) * inverse;
     this->Low = glm::min(this->Low, ndc - slack);
     this->High = glm::max(this->High, ndc + slack);
-    this->Slack = glm::max(this->Slack, slack);
+    this->MaximumInverse = std::max(this->MaximumInverse, inverse);
     this->MaximumW = std::max(this->MaximumW, clip.w);
     return true;
   }
@@ -64,8 +64,13 @@ public:
   glm::dvec3 Low = glm::dvec3(std::numeric_limits<double>::infinity());
   glm::dvec3 High = glm::dvec3(-std::numeric_limits<double>::infinity());
   ///@}
-  /// The largest slack of any point along x, y and z.
-  glm::dvec3 Slack = glm::dvec3(0.0);
+  /// No point amid those that were added has a larger slack. (It may be larger than theirs.)
+  glm::dvec3 GetSlack() const
+  {
+    const glm::dvec3 aside = glm::max(vtkNBufferGLM::Abs(Low), vtkNBufferGLM::Abs(High));
+    return (glm::dvec3(this->Error) + aside * this->Error.w) * this->MaximumInverse;
+  }
+  double MaximumInverse = 0.0; ///< Of the least w, less its error.
   /// The largest clip coordinate w of any point.
   double MaximumW = 0.0;
 
@@ -244,6 +249,7 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
     glm::all(glm::greaterThanEqual(extent.Low, glm::dvec3(-1.0))) &&
     glm::all(glm::lessThanEqual(extent.High, glm::dvec3(1.0)));
   const double border = this->Error.GetBorder(box, isWhole);
+  const glm::dvec3 ofPoints = extent.GetSlack();
   glm::ivec2 begin;
   glm::ivec2 end;
   glm::ivec2 firstMiddle;
@@ -262,7 +268,7 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
     end[i] = static_cast<int>(std::ceil(to));
     firstMiddle[i] = static_cast<int>(std::ceil(from - 0.5));
     lastMiddle[i] = static_cast<int>(std::floor(to - 0.5));
-    result.Slack[i] = extent.Slack[i] + 2.0 * border / size[i];
+    result.Slack[i] = ofPoints[i] + 2.0 * border / size[i];
   }
   result.Pixels = { begin.x, begin.y, end.x, end.y };
   result.Middles = { firstMiddle.x, firstMiddle.y, lastMiddle.x + 1, lastMiddle.y + 1 };
@@ -272,7 +278,7 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
   const double slack = this->Error.GetDepthSlack(extent.Low.z, result.DepthRange);
   result.Nearest = format.Scale * extent.Low.z + format.Offset - slack;
   result.Farthest = format.Scale * extent.High.z + format.Offset + slack;
-  result.Slack.z = extent.Slack.z + slack / format.Scale;
+  result.Slack.z = ofPoints.z + slack / format.Scale;
   result.MaximumW = extent.MaximumW;
   // Beyond the far plane nothing is drawn.
   return result.Nearest > format.Farthest ? vtkNBufferPlacement::Outside
