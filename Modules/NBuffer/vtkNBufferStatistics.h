@@ -43,7 +43,8 @@ enum class vtkNBufferVerdict : int
   DepthOffset,      ///< Drawn: coincident-topology parameters pull its depth towards the eye.
   ShaderReplaced,   ///< Drawn: the application replaces its shader code.
   OtherCoordinates, ///< Drawn: its coordinates are not world coordinates.
-  NoBounds,         ///< Drawn: its bounds are null, uninitialised, infinite or NaN.
+  NoBounds,         ///< Drawn: its bounds are null, uninitialised, infinite or NaN, or its matrix
+                    ///< is not affine.
   SharedMapper,     ///< Drawn: it shares its mapper, lookup table or array of points with another
                     ///< prop (or a part of one) that uses it in another way. VTK then draws one of
                     ///< them with the shaders, the range or the vertex buffer of the other. If

@@ -64,6 +64,35 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
   }
 }
 
+// Hazard: the depth of the layer below hides props, and is then erased while nothing else changes.
+TEST(CullerLayers, KeptDepthThatIsErased)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      stage.Window->SetNumberOfLayers(2);
+      vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
+      layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
+      layer->SetPreserveDepthBuffer(true);
+      for (int i = 0; i < 40; ++i)
+      {
+        Scenes::AddBox(stage, 0.2 * (i % 8) - 0.7, 0.2 * (i / 8) - 0.5, -6.0, 0.1, 0.1, 0.1);
+        vtkActor* box = stage.GetActor(Wall::Count + i);
+        layer->AddActor(box);
+        stage.GetRenderer()->RemoveActor(box);
+      }
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Frame("kept");
+  }
+  EXPECT_EQ(comparison.GetHidden(1), 40);
+  comparison.Frame(
+    "erased", [](Stage& stage) { stage.Renderers[1]->SetPreserveDepthBuffer(false); });
+  EXPECT_EQ(comparison.GetHidden(1), 0);
+}
+
 // Hazard: a large prop of which no unit is in the view is kept for the image processing, beside the
 // culler's proxy, so that the list becomes longer than that of the renderer.
 TEST(CullerLayers, LargePropWithoutUnitsInTheView)

@@ -7,11 +7,13 @@
 #include "Scenes.h"
 
 #include "vtkActorCollection.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkMapper.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 #include "vtkSphereSource.h"
 #include "vtkWeakPointer.h"
 
@@ -310,4 +312,26 @@ TEST(CullerLifetimeOnce, NewPropAtTheAddressOfADeletedLargeOne)
   {
     GTEST_SKIP() << "SKIPPED: the new actor has another address here";
   }
+}
+
+// Hazard: an observer of the application sets a uniform of a large prop's shader, after its units
+// have been drawn.
+TEST(CullerLifetimeOnce, ObserverSetsAUniformOfALargeProp)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      LargeProps::AddSphereAndWalls(stage);
+      vtkNew<vtkCallbackCommand> command;
+      command->SetCallback(
+        [](vtkObject*, unsigned long, void*, void* program)
+        {
+          const float red[3] = { 1.0F, 0.0F, 0.0F };
+          static_cast<vtkShaderProgram*>(program)->SetUniform3f("diffuseColorUniform", red);
+        });
+      stage.GetActor(0)->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, command);
+    },
+    LargeProps::MakeOptions());
+  const LargeProps::Units units = LargeProps::CompareWalk(comparison, LargeProps::Walk);
+  EXPECT_GT(units.Hidden, 0);
 }

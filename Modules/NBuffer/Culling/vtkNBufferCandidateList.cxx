@@ -30,11 +30,10 @@ vtkMapper* GetMapper(const vtkNBufferSharedState::Uses& uses)
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
 {
   if (!this->Candidates.Synchronize(props, static_cast<std::size_t>(count), this->States,
-        this->MeshesOfProps, this->FacesOfProps))
+        this->Screens, this->MeshesOfProps, this->FacesOfProps))
   {
     return false;
   }
-  this->Screens.resize(static_cast<std::size_t>(count));
   this->Meshes.ReleaseUnused();
   this->Faces.ReleaseUnused(this->FacesOfProps, 0.0);
   this->Tree.ListHasChanged();

@@ -168,7 +168,9 @@ private:
   vtkNBufferFaces Faces;
   std::vector<vtkNBufferFaces::OfProp> FacesOfProps; ///< One element for each prop.
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
-  vtkNBufferObservedObjects Observed; ///< The objects of props, except for actors.
+  /// The objects of props, except for actors. VTK replaces some of them without a newer time of
+  /// their owner: vtkPolyData::RemoveDeletedCells() deletes arrays of cells.
+  vtkNBufferObservedObjects Observed{ true };
   /// A deleted actor counts as changed, because another prop may have been made at its address.
   vtkNBufferObservedObjects ObservedActors{ true };
   int HierarchySize = VTK_INT_MAX;

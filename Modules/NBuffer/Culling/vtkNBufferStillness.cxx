@@ -12,10 +12,12 @@ bool vtkNBufferStillness::BeginFrame(
     std::exchange(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
   const auto slivers = std::exchange(this->TestSlivers, settings.TestSlivers);
   const bool wasShared = std::exchange(this->IsShared, settings.Shared != nullptr);
+  const bool erased =
+    std::exchange(this->ErasesDepth, vtkNBufferCompatibility::ErasesDepth(renderer));
   changed = changed || !(this->Drawing == drawing) || this->TestSlivers != slivers ||
-    this->IsShared != wasShared || this->ChangedWhileFrozen;
+    this->IsShared != wasShared || this->ErasesDepth != erased || this->ChangedWhileFrozen;
   this->ChangedWhileFrozen = frozen && changed;
-  this->Same = !changed && vtkNBufferCompatibility::ErasesDepth(renderer);
+  this->Same = !changed && this->ErasesDepth;
   return this->Same;
 }
 VTK_ABI_NAMESPACE_END

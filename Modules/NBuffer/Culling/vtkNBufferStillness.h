@@ -42,6 +42,7 @@ private:
   bool Same = false;
   bool TestSlivers = false;
   bool IsShared = false;
+  bool ErasesDepth = false;
   /// Whether anything has changed since the last frame that was not frozen.
   bool ChangedWhileFrozen = false;
 };

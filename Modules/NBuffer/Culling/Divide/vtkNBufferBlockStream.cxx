@@ -123,7 +123,8 @@ bool vtkNBufferBlockStream::DrawNext(int list, vtkAbstractMapper* mapper)
   batch->Last = GetBlockList(mapper).Stream;
   // The texture is either an image or has values of cells.
   batch->UsesTextures = batch->UsesTextures || vtkNBufferOwnDraw::NumbersPrimitives(batch->Last) ||
-    batch->Last->Program->IsAttributeUsed("tcoord");
+    batch->Last->Program->IsAttributeUsed("tcoord") ||
+    batch->Last->Program->IsAttributeUsed("colorTCoord");
   this->Changed = mapper;
   this->Exchanged = &batch->Lists[list];
   this->Exchanged->swap(*GetBlockList(mapper).Blocks);
@@ -154,7 +155,12 @@ bool vtkNBufferBlockStream::DrawDirectly(vtkActor* actor, vtkRenderer* renderer)
 {
   if (this->Batches.empty() ||
     !std::all_of(this->Batches.begin(), this->Batches.end(),
-      [](const Batch& batch) { return batch.Mapper && batch.Last && !batch.UsesTextures; }))
+      [](const Batch& batch)
+      {
+        // Another actor with this mapper may have been drawn since, in colors of its own.
+        return batch.Mapper && batch.Last && !batch.UsesTextures &&
+          GetBlockList(batch.Mapper).BuildTime == batch.BuildTime;
+      }))
   {
     return false;
   }

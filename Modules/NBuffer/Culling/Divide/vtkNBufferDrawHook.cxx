@@ -67,6 +67,10 @@ vtkNBufferDrawHook::Draw::~Draw()
   this->Hook->Restore();
   this->Hook->Pass->SetCallback(nullptr);
   this->Hook->Actor = nullptr;
+  if (this->Hook->Reads && this->Hook->Window->GetAbortRender())
+  {
+    this->Hook->ReadNext(); // Some mappers of blocks may not have drawn.
+  }
   this->Hook->Reads = this->Hook->Reads && !this->Hook->Read.Mapper;
 }
 

@@ -58,8 +58,7 @@ class vtkWindow;
 class vtkNBufferDrawHook
 {
 public:
-  /// `pass`, which has to outlive the hook, must be in the property keys of the props that the hook
-  /// draws.
+  /// `pass` must outlive the hook, and be in the property keys of the props that it draws.
   explicit vtkNBufferDrawHook(vtkNBufferDrawPass* pass);
   ~vtkNBufferDrawHook();
   vtkNBufferDrawHook(const vtkNBufferDrawHook&) = delete;
@@ -106,6 +105,7 @@ public:
   {
     this->Resources->RegisterGraphicsResources(window);
     this->Blocks.BeginFrame();
+    this->Window = window;
     this->Device = device;
   }
 
@@ -191,6 +191,7 @@ private:
   vtkNBufferInstanceStream Instances;
   vtkNBufferBlockStream Blocks;
   vtkNBufferOwnDraw Own;
+  vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferUnitDevice* Device = nullptr;
   vtkNBufferUnitDevice::Buffers OnDevice;
 };

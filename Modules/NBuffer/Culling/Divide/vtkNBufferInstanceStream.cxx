@@ -183,12 +183,14 @@ bool vtkNBufferInstanceStream::ReadBatch(
   const std::vector<float> matrices = ReadBuffer(buffers->Matrices);
   batch.First = boxes.Points.size() / 2;
   batch.Size = matrices.size() / MatrixSize;
-  batch.HasNormals = batch.Size > 0 &&
-    GetBytes(buffers->NormalMatrices) == batch.Size * NormalMatrixSize * sizeof(float);
+  // VTK does not update the normals while it does not use them.
+  const std::size_t normals = GetBytes(buffers->NormalMatrices);
+  batch.HasNormals = batch.Size > 0 && normals == batch.Size * NormalMatrixSize * sizeof(float);
   vtkPolyData* source = mapper->CurrentInput;
   const auto end = std::upper_bound(this->Ends.begin(), this->Ends.end(), batch.First);
   const bool isKnown = end != this->Ends.end() && batch.First + batch.Size == *end &&
-    GetBytes(buffers->Colors) == batch.Size * ColorSize && *end < NoInstance / 2;
+    GetBytes(buffers->Colors) == batch.Size * ColorSize && *end < NoInstance / 2 &&
+    (batch.HasNormals || normals == 0 || batch.Size == 0);
   if (!isKnown)
   {
     return false;

@@ -9,6 +9,7 @@
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkShaderProgram.h"
 
+#include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -27,8 +28,9 @@ void vtkNBufferOwnDraw::SetNext(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper
   this->Stream = stream;
   this->HasIndices = hasIndices;
   this->Function = draw;
-  this->Observer =
-    mapper->AddObserver(vtkCommand::UpdateShaderEvent, this, &vtkNBufferOwnDraw::Draw);
+  // After the observers of the application, which may set uniforms.
+  this->Observer = mapper->AddObserver(vtkCommand::UpdateShaderEvent, this,
+    &vtkNBufferOwnDraw::Draw, std::numeric_limits<float>::lowest());
 }
 
 void vtkNBufferOwnDraw::Draw()
