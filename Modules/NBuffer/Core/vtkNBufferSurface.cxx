@@ -325,7 +325,7 @@ vtkBoundingBox vtkNBufferSurface::GetBoundsOfPoints(vtkMapper* mapper, bool visi
 }
 
 std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBufferCoordinates(
-  vtkMapper* mapper)
+  vtkMapper* mapper, const vtkBoundingBox* all)
 {
   auto* plain =
     GetKind(mapper) == Kind::PolyData ? static_cast<vtkOpenGLPolyDataMapper*>(mapper) : nullptr;
@@ -341,10 +341,9 @@ std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBuffer
   if (!input || !input->GetPoints())
   {
     // VTK may shift all points by one of them: vertices are within twice the bounds of all.
-    double bounds[6];
-    GetBoundsOfPoints(mapper, false).GetBounds(bounds);
-    const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
-    const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+    const vtkBoundingBox box = all ? *all : GetBoundsOfPoints(mapper, false);
+    const glm::dvec3 low = glm::make_vec3(box.GetMinPoint());
+    const glm::dvec3 high = glm::make_vec3(box.GetMaxPoint());
     return BufferCoordinates{ glm::dvec3(0.0),
       3.0 * glm::max(vtkNBufferGLM::Abs(low), vtkNBufferGLM::Abs(high)) };
   }

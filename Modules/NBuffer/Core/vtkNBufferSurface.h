@@ -85,7 +85,7 @@ public:
   static bool DrawsLines(vtkMapper* mapper);
   ///@}
 
-  /// The bounds of a mapper and of all its points. VTK notices a changed block only when it draws.
+  /// The bounds of a mapper, and of all points of its polydata or blocks.
   static vtkBoundingBox GetBoundsOfPoints(vtkMapper* mapper, bool visibleOnly);
 
   /**
@@ -114,8 +114,10 @@ public:
     glm::dvec3 HalfRange;
   };
 
-  /// The coordinates in the mapper's vertex buffers, or nullopt if they depend on the camera.
-  static std::optional<BufferCoordinates> GetBufferCoordinates(vtkMapper* mapper);
+  /// The coordinates in the mapper's vertex buffers, or nullopt if they depend on the camera. `all`
+  /// may have the result of GetBoundsOfPoints(mapper, false).
+  static std::optional<BufferCoordinates> GetBufferCoordinates(
+    vtkMapper* mapper, const vtkBoundingBox* all = nullptr);
 
   /// A clipping plane a x + b y + c z + d >= 0 in world coordinates: it keeps the side to which its
   /// normal (a, b, c) points.

@@ -149,6 +149,23 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   return vtkNBufferVerdict::Visible;
 }
 
+void vtkNBufferCandidate::ReadBlocks(vtkActor* actor)
+{
+  if (!this->Blocks)
+  {
+    this->Blocks = std::make_unique<vtkNBufferBlocks>();
+  }
+  this->Blocks->Update(actor->GetMapper());
+  const vtkBoundingBox& visible = this->Blocks->GetVisible();
+  if (!vtkBoundingBox(actor->GetMapper()->GetBounds()).Contains(visible))
+  {
+    double b[6];
+    visible.GetBounds(b);
+    this->Box.SetPlace(vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()), { b[0], b[2], b[4] },
+      { b[1], b[3], b[5] });
+  }
+}
+
 vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
 {
   // GetBounds() also brings the pipeline and the actor's matrix up to date.
@@ -160,20 +177,17 @@ vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
     return vtkNBufferVerdict::NoBounds;
   }
   this->Box = vtkNBufferBox::FromBounds(bounds);
-  if (vtkNBufferSurface::IsComposite(mapper))
+  if (!vtkNBufferSurface::IsComposite(mapper))
   {
-    const vtkBoundingBox own(mapper->GetBounds());
-    const vtkBoundingBox ofBlocks = vtkNBufferSurface::GetBoundsOfPoints(mapper, true);
-    if (!own.Contains(ofBlocks))
-    {
-      double b[6];
-      ofBlocks.GetBounds(b);
-      this->Box.SetPlace(vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()),
-        { b[0], b[2], b[4] }, { b[1], b[3], b[5] });
-    }
+    this->Blocks.reset();
+  }
+  else
+  {
+    this->ReadBlocks(actor);
   }
   this->Box.Margin = vtkNBufferSurface::GetMargin(actor);
-  const auto buffer = vtkNBufferSurface::GetBufferCoordinates(mapper);
+  const auto buffer = vtkNBufferSurface::GetBufferCoordinates(
+    mapper, this->Blocks ? &this->Blocks->GetAll() : nullptr);
   if (!buffer)
   {
     return vtkNBufferVerdict::NotAPlainMapper;

@@ -19,6 +19,7 @@
 #ifndef vtkNBufferCandidate_h
 #define vtkNBufferCandidate_h
 
+#include "vtkNBufferBlocks.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferPropWatch.h"
@@ -26,6 +27,7 @@
 #include "vtkNBufferStatistics.h"
 #include "vtkProp.h"
 
+#include <memory>
 #include <typeinfo>
 #include <vector>
 
@@ -146,6 +148,7 @@ public:
 private:
   /// Read the box. Returns Visible, or the verdict of a prop whose box cannot be known.
   vtkNBufferVerdict ReadBox(vtkActor* actor);
+  void ReadBlocks(vtkActor* actor); ///< The part of ReadBox() for composite data.
   /// The verdict of the prop, where `box` is the result of ReadBox().
   vtkNBufferVerdict Classify(vtkActor* actor, vtkNBufferVerdict box) const;
 
@@ -159,6 +162,7 @@ private:
   vtkProp* Prop = nullptr;
   const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
   vtkNBufferBox Box;
+  std::unique_ptr<vtkNBufferBlocks> Blocks; ///< Of composite data only.
   vtkNBufferSharedState::Uses Uses;
   bool Offset = false;
   bool HasInstances = false; ///< Whether these are translucent instances.
