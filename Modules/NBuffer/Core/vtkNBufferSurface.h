@@ -114,8 +114,7 @@ public:
     glm::dvec3 HalfRange;
   };
 
-  /// The coordinates in the mapper's vertex buffers, or nullopt if they depend on the camera. `all`
-  /// may have the result of GetBoundsOfPoints(mapper, false).
+  /// Those of a mapper, or nullopt if the camera changes them. `all` may have all of its points.
   static std::optional<BufferCoordinates> GetBufferCoordinates(
     vtkMapper* mapper, const vtkBoundingBox* all = nullptr);
 
