@@ -7,6 +7,7 @@
 #include "vtkNBufferPixelTest.h"
 #include "vtkNBufferSurface.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -392,6 +393,33 @@ TEST(NBufferProjectionOnce, SlackIsThatOfItsDerivation)
   const double vertexError = (6.0 * (1 + 4 + 9) + 4.0 * 3) * u;
   EXPECT_NEAR(vtkNBufferBoxError::GetVertexError({ 1.0, -2.0, 3.0, -4.0 }, box), vertexError,
     0x1p-15 * vertexError);
+}
+
+// Hazard: amid a box the slack of a point is larger than at all of its corners. High above the
+// origin w has a large error, which counts most where a point is near and far aside.
+TEST(NBufferProjectionOnce, SlackHoldsAmidTheBox)
+{
+  const glm::dvec3 eye(-0.1750805, -0.1736855, 25480.3542);
+  const glm::dvec3 way(0.475888, 0.472096, -0.742062);
+  const glm::dmat4 worldToClip = glm::perspective(glm::radians(93.16), 1000.0 / 750.0, 0.05, 50.0) *
+    glm::lookAt(eye, eye + way, glm::dvec3(0.0, 0.0, 1.0));
+  const glm::dmat4 rows = glm::transpose(worldToClip);
+  vtkNBufferProjection projection;
+  projection.Set(glm::value_ptr(rows), 1000, 750, std::ldexp(1.0, -24), glm::ivec2(0), 8);
+  const double bounds[6] = { 0.0, 26.956, 0.0, 0.0, 25480.004915, 25480.081222 };
+  const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
+  vtkNBufferScreenBox screen;
+  ASSERT_EQ(projection.Project(box, screen), vtkNBufferPlacement::Inside);
+  const auto getError = [&](int row)
+  { return vtkNBufferBoxError::GetVertexError(projection.GetWorldToClip()[row], box); };
+  const double allowed = screen.Slack.x - 2.0 * screen.Border / 1000.0;
+  for (int i = 0; i <= 1000; ++i)
+  {
+    const glm::dvec4 clip = worldToClip * glm::dvec4(26.956e-3 * i, 0.0, bounds[4], 1.0);
+    const double slack =
+      (getError(0) + std::abs(clip.x / clip.w) * getError(3)) / (clip.w - getError(3));
+    ASSERT_LE(slack, allowed) << i;
+  }
 }
 
 // Hazard: a viewport that begins far from the window's corner is rounded with larger coordinates.

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferBlocks
- * @brief What is known of all blocks of an actor with composite data together.
+ * @brief The bounds of composite data, which follow every change of a block.
  *
- * The bounds that VTK has of composite data follow the time of the tree alone. If a block changes
- * and the tree does not, VTK notices that when it draws, but a culler may not let it draw.
- * Comparing the times of all blocks takes about 100 nanoseconds per block, reading them some times
- * as long.
+ * VTK's own bounds follow the time of the tree alone. If a block changes and the tree does not, VTK
+ * notices that when it draws, but a culler may not let it draw. Each Update() compares the times of
+ * the points of all blocks, which takes about 0.2 microseconds per block.
  */
 #ifndef vtkNBufferBlocks_h
 #define vtkNBufferBlocks_h
