@@ -211,6 +211,23 @@ void ParallelCameraAmid(SceneBuilder& scene)
   scene.Directional({ 0.6, 0.8, -0.7 });
 }
 
+/// The near plane cuts casters, and the camera looks along the light, so that it sees the sides of
+/// volumes edge-on; almost so, if `tilt` is not 0.
+void ParallelCameraAlongLight(SceneBuilder& scene, double tilt)
+{
+  scene.Floor(6.0);
+  scene.Box({ -1.0, 2.0, 1.0 }, { 1.0, 1.0, 2.0 });
+  scene.Sphere({ 1.0, 1.0, 1.0 }, 0.6);
+  scene.Box({ -1.2, -2.0, 1.1 }, { 0.6, 1.0, 0.5 }); // the near plane cuts it
+  scene.Sphere({ 0.6, -2.2, 1.6 }, 0.4);
+  scene.Sheet({ 0.2, -4.0, 0.3 }, { 0.8, 0.0, 0.1 }, { 0.1, 0.0, 0.6 }); // before the near plane
+  scene.Sheet({ -5.0, 4.0, 0.0 }, { 10.0, 0.0, 0.0 }, { 0.0, 0.5, 5.0 });
+  scene.Directional({ tilt, 1.0, 0.0 });
+  View& view = scene.LookParallel({ 0.0, -10.0, 1.0 }, { 0.0, 0.0, 1.0 }, 2.2);
+  view.Near = 8.0;
+  view.Far = 20.0;
+}
+
 void Inset(SceneBuilder& scene)
 {
   scene.Scene.Renderers[0].Viewport = { 0.2, 0.1, 0.9, 0.8 };
@@ -314,6 +331,8 @@ std::vector<NamedScenario> GetViewScenarios()
       scene.PointLight({ x, y, z });
     };
   };
+  const auto along = [](double tilt)
+  { return [=](SceneBuilder& scene) { ParallelCameraAlongLight(scene, tilt); }; };
   return {
     MakeShadowScenario("HugeCoordinates", HugeCoordinates),
     MakeShadowScenario("ExtremeNearFar", ExtremeNearFar),
@@ -327,6 +346,8 @@ std::vector<NamedScenario> GetViewScenarios()
     MakeShadowScenario("ParallelLightBehind", parallel(-1.5, -6.0, 3.0)),
     MakeShadowScenario("ParallelLightBeside", parallel(5.0, -1.0, 2.0)),
     MakeShadowScenario("ParallelLightAmid", parallel(-0.6, -1.9, 1.6)),
+    MakeShadowScenario("ParallelAlongLight", along(0.0)),
+    MakeShadowScenario("ParallelAlmostAlongLight", along(1e-7)),
     MakeShadowScenario("MultiSamples", Directional, 200, 150, 4),
     MakeShadowScenario("OddSize", Directional, 641, 479),
     MakeShadowScenario("Inset", Inset, 301, 203),

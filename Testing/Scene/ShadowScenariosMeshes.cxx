@@ -26,6 +26,17 @@ void PaperSheets(SceneBuilder& scene)
   scene.Sheet({ -1.0, -1.5, 1.0 }, { 1.0, 0.0, 0.2 }, { 0.0, 1.0, 0.1 });
 }
 
+/// Sheets with two sides that lie on each other: with each triangle twice, and as closed meshes
+/// without a thickness, of which the two sides are divided into triangles in different ways.
+void TwoSidedSheets(SceneBuilder& scene)
+{
+  scene.Mesh({ { -1.0, 0.0, 0.0 }, { 1.0, 0.5, 0.0 }, { 1.0, 0.5, 1.5 }, { -1.0, 0.0, 1.5 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 2, 1, 0 }, { 3, 2, 0 } });
+  scene.Mesh({ { -1.0, -1.5, 1.0 }, { 0.0, -1.5, 1.2 }, { 0.0, -0.5, 1.3 }, { -1.0, -0.5, 1.1 } },
+    { { 0, 1, 2, 3 }, { 3, 2, 1, 0 } });
+  scene.Box({ 1.2, -1.0, 0.8 }, { 0.8, 0.8, 0.0 });
+}
+
 /// One long edge next to two short ones, whose common point is not exactly on the long one.
 void TJunctions(SceneBuilder& scene)
 {
@@ -293,6 +304,7 @@ std::vector<NamedScenario> GetMeshScenarios()
   return {
     make("ThinWall", ThinWall),
     make("PaperSheets", PaperSheets),
+    make("TwoSidedSheets", TwoSidedSheets),
     make("TJunctions", TJunctions),
     make("Coplanar", Coplanar),
     make("Sheets256", sheets(256)),

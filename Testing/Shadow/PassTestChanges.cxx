@@ -22,6 +22,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 
 using namespace ShadowShapes;
@@ -473,6 +474,44 @@ TEST_F(PassHistory, CompositeDataWithoutAttributes)
   mapper->SetCompositeDataDisplayAttributes(attributes);
   const Frame actual = Render(stage, stage.Pass);
   EXPECT_TRUE(expected.Masks == actual.Masks);
+}
+
+// Hazard: volumes that were made for one view are infinite, but those of the next one have to end.
+TEST_F(PassHistory, AParallelCameraThatTurnsIntoTheLight)
+{
+  const Stage stage = SetNamedStage("ParallelAlongLight");
+  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
+  vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+  camera->Azimuth(10.0);
+  ExpectMatchesOracle(stage, pass);
+  const std::array<double, 3> position = { 0.0, -10.0, 1.0 };
+  camera->SetPosition(position.data());
+  ExpectMatchesOracle(stage, pass);
+  camera->Azimuth(10.0);
+  ExpectMatchesOracle(stage, pass);
+}
+
+// Hazard: a uniform moves a prop, of which no time tells.
+TEST_F(PassHistory, UniformsOfTheApplicationsShaders)
+{
+  ChangingStage stage;
+  Render(stage, stage.Pass);
+  Render(stage, stage.Pass);
+  Render(stage, stage.Pass);
+  EXPECT_EQ(stage.Pass->GetStatistics().Decision, vtkShadowDecision::Still);
+  vtkShaderProperty* shaders = stage.Unseen->GetShaderProperty();
+  shaders->AddVertexShaderReplacement(
+    "//VTK::PositionVC::Dec", true, "//VTK::PositionVC::Dec\n", false);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    Render(stage, stage.Pass);
+    EXPECT_EQ(stage.Pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+  }
+  shaders->ClearAllVertexShaderReplacements();
+  Render(stage, stage.Pass);
+  Render(stage, stage.Pass);
+  EXPECT_EQ(stage.Pass->GetStatistics().Decision, vtkShadowDecision::Still);
 }
 
 // Camera lights move with the camera in the same frame.

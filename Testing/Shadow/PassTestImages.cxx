@@ -259,6 +259,37 @@ TEST_F(PassImages, NegativeConesAreAsWideAsPositiveOnes)
   }
 }
 
+// Hazard: where front faces are not drawn, the inside of a closed caster is seen, which no light
+// reaches.
+TEST_F(PassImages, InsidesThatAreSeenAreDark)
+{
+  const Stage stage = SetStage(
+    [](SceneBuilder& scene)
+    {
+      scene.Floor(5.0);
+      scene.Sphere({ 0.0, 0.0, 1.5 }, 1.0);
+      scene.Box({ 0.0, 0.0, 1.5 }, { 0.4, 0.4, 0.4 });
+      scene.Directional({ 0.3, 0.2, -1.0 });
+      scene.Look({ 0.0, -6.0, 4.0 }, { 0.0, 0.0, 1.5 });
+    },
+    200, 150);
+  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const auto getMiddle = [&]
+  {
+    stage.Window->Render();
+    return GetMask(stage, pass)[200 * 75 + 100];
+  };
+  EXPECT_EQ(getMiddle(), 0) << "the sphere, from outside";
+  for (const int mode : ShadowModes)
+  {
+    pass->SetMode(mode);
+    GetActors(stage.GetRenderer())[1]->GetProperty()->FrontfaceCullingOn();
+    EXPECT_EQ(getMiddle(), 255) << "the box in it";
+    GetActors(stage.GetRenderer())[1]->GetProperty()->FrontfaceCullingOff();
+    EXPECT_EQ(getMiddle(), 0);
+  }
+}
+
 // There are more lights than one texture has channels for.
 TEST_F(PassImages, ManyMasks)
 {

@@ -126,7 +126,7 @@ void CheckVolumes(const ShadowMesh& mesh, const ShadowMesh& outwards, const vtkS
   caster.AddWhole(volume, &view);
   for (const glm::dvec4& vertex : volume.GetVertices())
   {
-    ASSERT_TRUE(vertex.w == 1.0 || !light.IsPositional());
+    ASSERT_EQ(vertex.w, 1.0);
   }
   ASSERT_NO_FATAL_FAILURE(CheckCounts(caster, volume, frame, range, random, points, shadowed));
 
@@ -201,6 +201,22 @@ TEST(ShadowVolume, SilhouettesOfKnownMeshes)
   const vtkShadowLight along = MakeLight(vtkShadowLightKind::Directional, { -1, 0.1, 0 });
   EXPECT_EQ(CountMultiplicities(get(book, above)), (Multiplicities{ { 1, 9 }, { 3, 1 } }));
   EXPECT_EQ(CountMultiplicities(get(book, along)), (Multiplicities{ { 1, 10 } }));
+}
+
+// Hazard: the unlit side of a sheet lies in its lit side, which would be in its shadow.
+TEST(ShadowVolume, AllTrianglesOfMeshesWithoutThicknessCount)
+{
+  const vtkShadowLight light = MakeLight(vtkShadowLightKind::Directional, { 3, 2, 1 });
+  const auto getCounting = [&light](const ShadowMesh& mesh)
+  { return Caster(mesh, light, vtkShadowCounting::Away).Silhouette.GetCounting(); };
+  const auto flatten = [](double height)
+  { return MakeCube().Move([height](const Point& x) { return x * Point(1.0, 1.0, height); }); };
+  EXPECT_EQ(getCounting(MakeTwoSided()), vtkShadowCounting::All);
+  EXPECT_EQ(getCounting(Join("", { MakeCube(), MakeTwoSided() })), vtkShadowCounting::All);
+  EXPECT_EQ(getCounting(flatten(0x1p-17)), vtkShadowCounting::Away);
+  EXPECT_EQ(getCounting(flatten(0x1p-19)), vtkShadowCounting::All);
+  EXPECT_EQ(getCounting(flatten(-0x1p-17)), vtkShadowCounting::Away) << "inside out";
+  EXPECT_EQ(getCounting(flatten(0x1p-17).Translate(1e6, 0.0, 0.0)), vtkShadowCounting::Away);
 }
 
 // Hazard: volumes have holes, counts do not cancel, or far caps do not fit the sides.
@@ -403,6 +419,9 @@ TEST(ShadowVolume, LengthsForParallelCameras)
   // view.
   const double factor = glm::length(Point(4.0, 3.0, 15.0)) / glm::length(Point(0.5, 0.0, 2.5));
   EXPECT_NEAR(getLowest(lamp, view), 3.0 + factor * (bottom - 3.0), 0.3);
+  const vtkShadowLight sun = MakeLight(vtkShadowLightKind::Directional, { 0, 0, 1 });
+  EXPECT_NEAR(getLowest(sun, view), -12.0, 0.2);
+  EXPECT_NEAR(getLowest(sun, { { -1.0, -1.0, 2.0 }, { 1.0, 1.0, 3.0 } }), bottom, 0.1);
   // A view before the caster has nothing in shadow.
   EXPECT_NEAR(getLowest(lamp, { { -1.0, -1.0, 2.0 }, { 1.0, 1.0, 3.0 } }), bottom, 0.1);
 }

@@ -105,13 +105,15 @@ TEST(ShadowVolumeStore, MakesOnlyWhatHasChanged)
 TEST(ShadowVolumeStore, MakesWhatDependsOnMoreInEachFrame)
 {
   const vtkShadowBlock view = { { -5.0, -5.0, -5.0 }, { 5.0, 5.0, 5.0 } };
-  Frames frames(vtkShadowLightKind::Spot);
-  frames.View = &view;
-  frames.Add(0.0);
-  EXPECT_EQ(frames.Draw(1), 1);
-  EXPECT_EQ(frames.Draw(1), 1);
+  for (const auto kind : { vtkShadowLightKind::Directional, vtkShadowLightKind::Spot })
+  {
+    Frames frames(kind);
+    frames.View = &view;
+    frames.Add(0.0);
+    EXPECT_EQ(frames.Draw(1), 1);
+    EXPECT_EQ(frames.Draw(1), 1);
+  }
   Frames sun;
-  sun.View = &view;
   sun.Add(0.0);
   EXPECT_EQ(sun.Draw(1), 1);
   EXPECT_EQ(sun.Draw(1), 0);

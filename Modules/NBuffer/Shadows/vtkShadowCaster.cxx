@@ -130,11 +130,13 @@ bool vtkShadowCaster::UpdateParts(std::size_t slot, const vtkShadowLight& light,
   }
   Slot& cached = this->Slots[slot];
   // All triangles count in two cases. A light within the bounds may be inside the caster, where no
-  // triangle faces it. And if the inside of the caster is seen, the inside has to be in shadow.
+  // triangle faces it. And if the inside of the caster is seen, the inside has to be in shadow. The
+  // near plane or face culling may show it.
   const bool isAround =
     light.IsPositional() && this->Bounds.Meets({ light.Position, light.Position });
   const vtkShadowCounting counting =
-    isAround || this->Bounds.Meets(nearBounds) ? vtkShadowCounting::All : vtkShadowCounting::Away;
+    isAround || this->InsideIsSeen || this->Bounds.Meets(nearBounds) ? vtkShadowCounting::All
+                                                                     : vtkShadowCounting::Away;
   if (!cached.Parts.empty() && cached.Light == light && cached.Counting == counting)
   {
     return false;

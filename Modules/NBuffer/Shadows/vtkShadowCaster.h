@@ -57,6 +57,10 @@ public:
   bool Update(const std::shared_ptr<const vtkShadowTopology>& mesh,
     const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
+  /// Sets whether the inside of the caster may be seen from everywhere, because its front faces are
+  /// not drawn. All triangles count then.
+  void SetInsideIsSeen(bool seen) { this->InsideIsSeen = seen; }
+
   /// The merged points in world coordinates.
   const vtkShadowPoints& GetPoints() const { return this->Points; }
   const std::vector<int>& GetTriangles() const { return this->Topology->GetTriangles(); }
@@ -93,10 +97,11 @@ private:
 
   static void AddPart(Slot& slot, vtkShadowPart part, const vtkShadowLightSpace& space);
 
-  // UpdateParts() reads these two of each caster in each frame. They come first to share cache
+  // UpdateParts() reads these three of each caster in each frame. They come first to share cache
   // lines.
   vtkShadowBlock Bounds;
   std::vector<Slot> Slots;
+  bool InsideIsSeen = false;
   std::array<double, 16> ToWorld = {};
   std::vector<Plane> Planes;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;

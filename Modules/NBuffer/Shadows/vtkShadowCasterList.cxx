@@ -100,6 +100,7 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
       changed = this->ReadProp(this->Members.GetProp(i), member) || changed;
       anyRead = true;
     }
+    changed = changed || member.MovesUnseen;
   }
   this->Version += changed ? 1 : 0;
   if (anyRead)
@@ -136,6 +137,7 @@ bool vtkShadowCasterList::ReadProp(vtkProp* prop, Member& member)
   member.Meshes.clear();
   member.Skipped.fill(0);
   member.LightingMargin = 0.0;
+  member.MovesUnseen = false;
   if (vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop))
   {
     vtkNBufferSurface::UpdatePipeline(actor);
@@ -194,6 +196,8 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   }
   member.LightingMargin =
     std::max(member.LightingMargin, vtkNBufferSurface::GetLightingMargin(actor));
+  member.MovesUnseen = member.MovesUnseen || vtkNBufferSurface::HasReplacedShaders(actor) ||
+    vtkNBufferSurface::HasOtherCoordinates(actor);
   if (!member.Casts)
   {
     return;
@@ -210,13 +214,21 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   }
   const std::vector<vtkNBufferSurface::Plane> planes =
     vtkNBufferSurface::GetClippingPlanes(actor->GetMapper());
+  const auto addMesh = [&](const vtkNBufferSurface::Part& part, vtkGlyph3DMapper* glyphs)
+  {
+    this->AddMesh(part, glyphs, path, planes, member);
+    for (const std::unique_ptr<vtkShadowCaster>& caster : member.Meshes.back().Casters)
+    {
+      caster->SetInsideIsSeen(actor->GetProperty()->GetFrontfaceCulling() != 0);
+    }
+  };
   vtkGlyph3DMapper* glyphs = vtkNBufferGlyphs::GetMapper(actor->GetMapper());
   if (glyphs && glyphs->GetNumberOfInputConnections(1) == 1)
   {
     vtkNBufferSurface::Part part;
     part.Mesh = glyphs->GetSource();
     std::copy_n(matrix->GetData(), 16, part.ToWorld.begin());
-    this->AddMesh(part, glyphs, path, planes, member);
+    addMesh(part, glyphs);
     return;
   }
   if (member.Surfaces.size() <= static_cast<std::size_t>(path))
@@ -236,7 +248,7 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     }
     else if (part.IsVisible)
     {
-      this->AddMesh(part, nullptr, path, planes, member);
+      addMesh(part, nullptr);
     }
   }
 }

@@ -65,8 +65,9 @@ public:
 
   /**
    * A number that Update() increases if a visible prop, caster or not, may draw something else than
-   * at the last Update(). Some props may change without a trace (vtkNBufferPropWatch::Means::None).
-   * If there are any, every Update() increases the number.
+   * at the last Update(). Some props may change without a trace: those of
+   * vtkNBufferPropWatch::Means::None, those that uniforms of the application's shaders may move,
+   * and those that follow a device. If there are any, every Update() increases the number.
    */
   vtkMTimeType GetVersion() const { return this->Version; }
 
@@ -98,6 +99,7 @@ private:
     bool MayHaveChanged = false;  ///< Watch.MayHaveChanged(), which is called in parallel.
     bool HasRequiredKeys = false; ///< True if the prop has the required keys now.
     bool Casts = false;           ///< True if it had them when it was read last.
+    bool MovesUnseen = false;     ///< True if shaders or a device may move it without a time.
     double LightingMargin = 0.0;  ///< The largest lighting margin of its actors, in pixels.
     vtkNBufferPropWatch Watch;
     std::vector<Mesh> Meshes;

@@ -4,8 +4,6 @@
 
 #include "vtkShadowOverlap.h"
 
-#include "vtkMath.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,33 +12,49 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Returns for each component of a closed mesh whether it is wound inside out, which means that its
-/// signed volume is negative. Coordinates are taken relative to a corner of the component, so that
-/// the fewest digits are lost.
-std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, const vtkShadowPoints& points)
+/// The least distance between the two sides of a component, and of a cap from the surface in which
+/// it would lie, in units of a triangle's longest side; see GetPushes().
+constexpr double LeastDistance = 0x1p-18;
+
+/// A component of a closed mesh.
+struct Component
 {
-  const std::size_t count = static_cast<std::size_t>(topology.GetNumberOfComponents());
-  std::vector<const glm::dvec3*> origins(count, nullptr);
-  std::vector<double> volumes(count, 0.0);
-  const int* corners = topology.GetTriangles().data();
-  for (const int component : topology.GetComponents())
+  bool IsInsideOut() const { return this->Volume < 0.0; }
+
+  /// Whether its two sides are about in the same place: its mean thickness, which is the volume
+  /// divided by half of the area, is at most 2/3 of LeastDistance.
+  bool IsThin() const
   {
-    const glm::dvec3*& origin = origins[component];
-    if (!origin)
-    {
-      origin = &points[corners[0]];
-    }
-    const glm::dvec3 a = points[corners[0]] - *origin;
-    const glm::dvec3 b = points[corners[1]] - *origin;
-    const glm::dvec3 c = points[corners[2]] - *origin;
-    volumes[component] +=
-      vtkMath::Determinant3x3(glm::value_ptr(a), glm::value_ptr(b), glm::value_ptr(c));
+    return std::abs(this->Volume) <= LeastDistance * std::sqrt(this->SquaredSide) * this->Area;
+  }
+
+  const glm::dvec3* Origin = nullptr; ///< A corner.
+  double Volume = 0.0;                ///< Six times the volume, negative if wound inside out.
+  double Area = 0.0;                  ///< Twice the area.
+  double SquaredSide = 0.0;           ///< The square of the longest side of a triangle.
+};
+
+/// Coordinates are relative to a corner of the component, so that the fewest digits are lost.
+std::vector<Component> FindComponents(
+  const vtkShadowTopology& topology, const vtkShadowPoints& points)
+{
+  std::vector<Component> components(static_cast<std::size_t>(topology.GetNumberOfComponents()));
+  const int* corners = topology.GetTriangles().data();
+  for (const int number : topology.GetComponents())
+  {
+    Component& component = components[static_cast<std::size_t>(number)];
+    const glm::dvec3& a = points[corners[0]];
+    const glm::dvec3 u = points[corners[1]] - a;
+    const glm::dvec3 v = points[corners[2]] - a;
+    const glm::dvec3 normal = glm::cross(u, v);
+    component.Origin = component.Origin ? component.Origin : &a;
+    component.Volume += glm::dot(a - *component.Origin, normal);
+    component.Area += glm::length(normal);
+    component.SquaredSide =
+      std::max({ component.SquaredSide, glm::dot(u, u), glm::dot(v, v), glm::dot(u - v, u - v) });
     corners += 3;
   }
-  std::vector<bool> insideOut(count);
-  std::transform(
-    volumes.begin(), volumes.end(), insideOut.begin(), [](double volume) { return volume < 0.0; });
-  return insideOut;
+  return components;
 }
 
 /// An upper bound of how many of the triangles one ray of the light can meet. If all corners have
@@ -77,11 +91,15 @@ void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const vtkSh
   const vtkShadowLight& light, vtkShadowCounting counting)
 {
   this->ComputeTime.Modified();
-  this->Counting = topology.IsClosed() ? counting : vtkShadowCounting::All;
   this->Triangles.clear();
   this->Edges.clear();
-  const bool away = this->Counting == vtkShadowCounting::Away;
-  const std::vector<bool> insideOut = away ? FindInsideOut(topology, points) : std::vector<bool>();
+  bool away = topology.IsClosed() && counting == vtkShadowCounting::Away;
+  const std::vector<Component> components =
+    away ? FindComponents(topology, points) : std::vector<Component>();
+  away = away &&
+    std::none_of(components.begin(), components.end(),
+      [](const Component& component) { return component.IsThin(); });
+  this->Counting = away ? vtkShadowCounting::Away : vtkShadowCounting::All;
 
   // 1: the triangle counts as it is wound, -1: it counts the other way round, 0: it does not count.
   std::vector<signed char> signs(static_cast<std::size_t>(topology.GetNumberOfTriangles()), 0);
@@ -89,7 +107,8 @@ void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const vtkSh
   for (std::size_t t = 0; t < signs.size(); ++t, corners += 3)
   {
     const int facing = light.GetFacing(points[corners[0]], points[corners[1]], points[corners[2]]);
-    if (facing == 0 || (away && (facing > 0) != insideOut[topology.GetComponents()[t]]))
+    if (facing == 0 ||
+      (away && (facing > 0) != components[topology.GetComponents()[t]].IsInsideOut()))
     {
       continue;
     }
@@ -130,8 +149,7 @@ void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const vtkSh
 void vtkShadowSilhouette::ComputePushes(
   const vtkShadowTopology& topology, const vtkShadowPoints& points, const vtkShadowLight& light)
 {
-  constexpr double alongNormal = 0x1p-18; // in units of a triangle's longest side
-  constexpr double leastCosine = 0.125;   // Where rays graze, the depth test cuts volumes anyway.
+  constexpr double leastCosine = 0.125; // Where rays graze, the depth test cuts volumes anyway.
   this->Pushes.assign(static_cast<std::size_t>(topology.GetNumberOfPoints()), glm::dvec3(0.0));
   for (std::size_t t = 0; t < this->Triangles.size(); t += 3)
   {
@@ -148,7 +166,7 @@ void vtkShadowSilhouette::ComputePushes(
         ? vtkNBufferGLM::Normalize(corners[i] - light.Position)
         : light.Direction;
       const double length =
-        alongNormal * longest / std::max(std::abs(glm::dot(normal, ray)), leastCosine);
+        LeastDistance * longest / std::max(std::abs(glm::dot(normal, ray)), leastCosine);
       glm::dvec3& push = this->Pushes[static_cast<std::size_t>(this->Triangles[t + i])];
       if (length > glm::length(push))
       {

@@ -23,7 +23,9 @@
  *    of the caster is seen. Its advantage is that no cap of the volume lies in the lit surface.
  *  - All: every triangle counts and is turned towards the light (m is 2 beyond a convex caster).
  *    This is for a light inside the caster, for a caster whose inside is seen because the near
- *    plane cuts it, and for open or badly wound meshes.
+ *    plane cuts it or its front faces are not drawn, and for open or badly wound meshes. It is also
+ *    for closed meshes with a component that has no thickness, such as sheets that have each
+ *    triangle twice, wound both ways: their unlit side lies in the lit one.
  *
  * Outside of the caster and on its lit surface, the same points are in shadow in both ways.
  *
@@ -77,9 +79,9 @@ public:
 
   /**
    * Computes triangles and outline. `points` are the topology's merged points, moved to world
-   * coordinates by an invertible affine matrix. If the topology is not closed, All is used whatever
-   * `counting` is. With Away, a component that is wound inside out in world coordinates is treated
-   * as if its winding were reversed.
+   * coordinates by an invertible affine matrix. If the topology is not closed, or a component has
+   * no thickness, All is used whatever `counting` is. With Away, a component that is wound inside
+   * out in world coordinates is treated as if its winding were reversed.
    */
   void Compute(const vtkShadowTopology& topology, const vtkShadowPoints& points,
     const vtkShadowLight& light, vtkShadowCounting counting);

@@ -18,7 +18,7 @@ glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, const vtkShadowPo
   return pushes.empty() ? points[i] : points[i] + pushes[static_cast<std::size_t>(i)];
 }
 
-/// Volumes of parallel cameras are made longer by this factor, so that the rounding of their
+/// Volumes that end beyond the view are made longer by this factor, so that the rounding of their
 /// corners and of receivers does not matter.
 constexpr double Lengthening = 1.01;
 
@@ -44,6 +44,19 @@ double GetDistance(
     isInside = isInside && glm::dot(glm::cross(from, edge), normal) > 0.0;
   }
   return isInside ? std::abs(glm::dot(a - x, normal)) / glm::length(normal) : least;
+}
+
+/// The least and the largest depth of the points.
+vtkShadowSlab GetDepths(const vtkShadowPoints& points, const vtkShadowLightSpace& space)
+{
+  vtkShadowSlab depths = { std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity() };
+  for (const glm::dvec3& point : points)
+  {
+    depths.Near = std::min(depths.Near, space.GetDepth(point));
+    depths.Far = std::max(depths.Far, space.GetDepth(point));
+  }
+  return depths;
 }
 
 /// The factor k of vtkShadowVolume.h.
@@ -171,6 +184,17 @@ void vtkShadowVolume::AddSides(
 vtkShadowPiece vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette,
   const vtkShadowPoints& points, const vtkShadowLight& light, const vtkShadowBlock* view)
 {
+  if (view && !light.IsPositional())
+  {
+    const vtkShadowLightSpace space(light);
+    vtkShadowSlab slab = GetDepths(points, space);
+    const double casterFar = slab.Far;
+    const glm::dvec3& axis = space.GetAxis();
+    const glm::dvec3 farthest = glm::max(view->Low * axis, view->High * axis);
+    slab.Far = std::max(casterFar, farthest.x + farthest.y + farthest.z);
+    slab.Far += (Lengthening - 1.0) * (slab.Far - slab.Near);
+    return this->AddClamped(silhouette, points, space, slab, casterFar);
+  }
   this->Begin();
   Image nearImage(
     points, [&](int i) { return this->AddVertex(GetNearPoint(silhouette, points, i), 1.0); });

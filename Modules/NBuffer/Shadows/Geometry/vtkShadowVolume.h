@@ -38,7 +38,8 @@
  * the ray from L through point Q of the caster is L + t (Q - L) with t <= D / d. Here D is the
  * largest distance from L to a point of the box, and d the least distance from L to a triangle that
  * counts. So the volume holds the point if k is at least D / d. Volumes of directional lights have
- * no triangle with three such corners and stay infinite.
+ * no triangle with three such corners and stay infinite, except where the camera looks along the
+ * light (vtkShadowDrawList.h). They then end in a plane across the light beyond the box.
  *
  * A whole volume for perspective cameras depends on the caster and the light alone. So it is made
  * once and kept while camera and receivers change (vtkShadowVolumeStore.h), and vertices are in
@@ -98,9 +99,8 @@ class VTKNBUFFER_EXPORT vtkShadowVolume
 public:
   /**
    * Adds the whole volume of a caster. `points` must be those that the silhouette was computed
-   * with. For a parallel camera `view` is a box, in world coordinates, that holds everything that
-   * can be seen; the volume of a positional light ends beyond it. For a perspective camera it is
-   * null.
+   * with. If the volume has to end, `view` is a box, in world coordinates, that holds everything
+   * that can be seen: the volume ends beyond it. If `view` is null, the volume is infinite.
    */
   vtkShadowPiece AddWhole(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLight& light, const vtkShadowBlock* view = nullptr);

@@ -43,7 +43,7 @@ vtkShadowPiece vtkShadowVolumeStore::GetWhole(
     ++this->PiecesMade;
     return this->Volume.AddWhole(caster.Silhouette, *caster.Points, light, view);
   };
-  if (view && light.IsPositional())
+  if (view)
   {
     return this->Use(make());
   }

@@ -7,8 +7,7 @@
  * The whole volume of a caster stays the same while its silhouette does, that is, until its mesh,
  * its matrix or the light changes. It is made when it is first needed. Two kinds of pieces depend
  * on more and are made anew in each frame that draws them: those clamped to slabs, which depend on
- * the receivers, and the volumes of positional lights that end beyond the view of a parallel
- * camera.
+ * the receivers, and the volumes that end beyond the view of a parallel camera.
  *
  * All pieces are added to the end of one vtkShadowVolume, so that what has been sent to the device
  * stays valid there (vtkShadowVolumeBuffer.h):

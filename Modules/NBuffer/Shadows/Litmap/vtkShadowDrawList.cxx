@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowDrawList.h"
 
+#include <algorithm>
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -10,6 +11,19 @@ namespace
 /// A generous bound of the rounding error of a distance from the near plane, relative to the sum of
 /// the magnitudes of its terms.
 constexpr double Margin = 1e-6;
+
+/// A camera looks along a light if the sides of its volumes move across the view by less than this
+/// part of it in the whole range of depths. (OpenGL fails only where they hardly move at all.)
+constexpr double Along = 0x1p-10;
+
+/// Whether whole volumes end beyond the view; see the header.
+bool EndsBeyondView(const vtkShadowLight& light, const vtkShadowDrawList::View& view)
+{
+  const glm::dvec4 direction = view.EyeToClip * glm::dvec4(light.Direction, 0.0);
+  const bool isAlong =
+    std::max(std::abs(direction.x), std::abs(direction.y)) < Along * std::abs(direction.z);
+  return !view.ParallelView.IsEmpty() && (light.IsPositional() || isAlong);
+}
 
 glm::dvec4 GetNearPlane(const vtkShadowDrawList::View& view)
 {
@@ -26,8 +40,7 @@ vtkShadowDrawList::vtkShadowDrawList(const vtkShadowLight& light, const View& vi
 
 bool vtkShadowDrawList::SetView(const View& view)
 {
-  if (this->Light.IsPositional() &&
-    !(this->Camera.ParallelView.IsEmpty() && view.ParallelView.IsEmpty()))
+  if (EndsBeyondView(this->Light, this->Camera) || EndsBeyondView(this->Light, view))
   {
     return false;
   }
@@ -50,10 +63,9 @@ void vtkShadowDrawList::AddRays(const vtkShadowSilhouette& silhouette, const vtk
 void vtkShadowDrawList::AddWhole(
   const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolumeStore& store)
 {
-  const vtkShadowBlock& view = this->Camera.ParallelView;
-  const vtkShadowPiece piece =
-    store.GetWhole(caster, this->Light, view.IsEmpty() ? nullptr : &view);
-  this->AddDraws(caster, true, boxes, piece);
+  const vtkShadowBlock* end =
+    EndsBeyondView(this->Light, this->Camera) ? &this->Camera.ParallelView : nullptr;
+  this->AddDraws(caster, true, boxes, store.GetWhole(caster, this->Light, end));
 }
 
 void vtkShadowDrawList::AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,

@@ -24,7 +24,8 @@
  *
  * z-fail assumes that lines of sight end outside of all volumes, and that all faces behind the
  * receiver are drawn. For a parallel camera volumes of positional lights therefore end at finite
- * places (vtkShadowVolume.h).
+ * places (vtkShadowVolume.h). So do those of a directional light along which the camera looks: it
+ * sees all sides of an infinite volume edge-on, and no face would be behind the receivers.
  *
  * ## The range of the stencil
  *
