@@ -5,6 +5,7 @@
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCompatibility.h"
 #include "vtkNBufferDepthExchange.h"
+#include "vtkNBufferDrawPass.h"
 #include "vtkNBufferFrameGuard.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferLargeProps.h"
@@ -210,6 +211,7 @@ double vtkNBufferCuller::Cull(
   if (obstacle != vtkNBufferDecision::None)
   {
     view.StepAside(obstacle, propList, listLength);
+    vtkNBufferDrawPass::Follow(renderer->GetRenderWindow(), propList, listLength);
     settings.ReportUntested(view.GetStatistics());
     if (obstacle == vtkNBufferDecision::NoContext)
     {

@@ -64,6 +64,9 @@
 #define VTKNBUFFER_GET_CELL_TYPES GetCellTypes
 #endif
 
+// vtkCompositeDataDisplayAttributes::SetBlockTexture().
+#define VTKNBUFFER_HAS_BLOCK_TEXTURES (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 6)
+
 // Ambient occlusion works in a part of a window. Older versions draw outside its framebuffer.
 #define VTKNBUFFER_HAS_SSAO_IN_PARTS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
 

@@ -544,6 +544,21 @@ TEST_F(FuzzRuns, ShadowsAfterStereo)
   EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
 }
 
+// An actor begins to share the mapper of a large prop while the culler steps aside.
+TEST_F(FuzzRuns, MapperSharedInAFrameWithoutCulling)
+{
+  for (const std::string change : { R"("kind": "Stereo")", R"("kind": "CullerEnabled")" })
+  {
+    const Scenario scenario =
+      FromJson(Parse(R"({"changes": [{"frame": 1, )" + change + R"(}], "frames": 3,
+        "culler": {"minimum_number_of_primitives": 6},
+        "props": [{}, {"flat": true, "from": 1, "id": 7, "mapper_of": 0,
+          "representation": "Wireframe"}],
+        "views": [{"position": [22.235864, 9.213120, 4.304691]}]})"));
+    EXPECT_EQ(Checker().Run(scenario, true).Failure, "") << change;
+  }
+}
+
 // Nothing is in the view when the window is switched to stereo.
 TEST_F(FuzzRuns, StereoOfAnEmptyView)
 {

@@ -171,6 +171,23 @@ TEST(FuzzUndefined, NoTranslucentScalarsOfFilters)
   EXPECT_EQ(scenario.Props[0].Kind, PropKind::Actor);
 }
 
+// VTK crashes when it draws the selection of a mapper whose buffers it has released, and colors it
+// at random where the prop has edges.
+TEST(FuzzUndefined, NoSelectionsOfReleasedPropsAndOfThoseWithEdges)
+{
+  Scenario scenario;
+  scenario.Props.resize(2);
+  scenario.Props[1].Id = 1;
+  scenario.Props[0].Edges = scenario.Props[1].Edges = true;
+  scenario.Changes = { { 1, ChangeKind::MarkedCells, 0, { 1.0 } }, { 2, ChangeKind::Rejoin, 0, {} },
+    { 2, ChangeKind::Rejoin, 1, {} }, { 2, ChangeKind::NewContext, 0, {} } };
+  RemoveUndefined(scenario);
+  ASSERT_EQ(scenario.Changes.size(), 2u);
+  EXPECT_EQ(scenario.Changes[1].Target, 1);
+  EXPECT_FALSE(scenario.Props[0].Edges);
+  EXPECT_TRUE(scenario.Props[1].Edges);
+}
+
 // Splats keep the global offset with which their shaders were made.
 TEST(FuzzUndefined, NoChangedOffsetOfSplats)
 {

@@ -183,9 +183,24 @@ void ChangeAnyProp(Writer& writer, int frame)
         { prop.Kind == PropKind::Glyphs ? 2.0 : writer.Any({ 1.0, 2.0 }) });
       break;
     default:
-      add(writer.Any({ ChangeKind::Edges, ChangeKind::ClippingPlane, ChangeKind::LineWidth }),
-        { 1.0, 0.5, 0.5 });
+    {
+      const ChangeKind kind =
+        writer.Any({ ChangeKind::Edges, ChangeKind::ClippingPlane, ChangeKind::LineWidth });
+      // Not drawn, so that the rest of a scenario stays what it was for its seed.
+      switch (writer.Scene.Seed % 4)
+      {
+        case 0:
+          add(ChangeKind::MarkedCells, { 3.0 * (frame % 2) });
+          break;
+        case 1:
+          add(ChangeKind::CulledFaces, { static_cast<double>(frame % 3) });
+          break;
+        default:
+          add(kind, { 1.0, 0.5, 0.5 });
+          break;
+      }
       break;
+    }
   }
 }
 
@@ -255,8 +270,23 @@ void ChangeSettings(Writer& writer, int frame)
       add(ChangeKind::PolygonOffset, { writer.Any({ 0.0, 1.0, 2.0 }) });
       break;
     default:
-      add(writer.Any({ ChangeKind::NewContext, ChangeKind::Select, ChangeKind::Select }), {});
+    {
+      const ChangeKind kind =
+        writer.Any({ ChangeKind::NewContext, ChangeKind::Select, ChangeKind::Select });
+      // Not drawn, so that the rest of a scenario stays what it was for its seed. The second
+      // renderer, if there is one, keeps the picture or the depth of the first one.
+      if (writer.Scene.Seed % 3 == 0)
+      {
+        writer.AddChange(frame,
+          writer.Scene.Seed % 2 ? ChangeKind::Erase : ChangeKind::PreserveDepth, 1,
+          { static_cast<double>(frame % 2) });
+      }
+      else
+      {
+        add(kind, {});
+      }
       break;
+    }
   }
 }
 

@@ -102,6 +102,17 @@ void RemoveUndefined(Scenario& scene)
     {
       RemoveChanges(scene, ChangeKind::Opacity, prop.Id);
     }
+    // VTK draws a selection of a mapper from buffers that it has released, and crashes. Where the
+    // prop has edges, the colors of the selection are arbitrary.
+    if (std::any_of(scene.Changes.begin(), scene.Changes.end(),
+          [&prop](const Change& change)
+          { return change.Kind == ChangeKind::MarkedCells && change.Target == prop.Id; }))
+    {
+      prop.Edges = false;
+      RemoveChanges(scene, ChangeKind::Edges, prop.Id);
+      RemoveChanges(scene, ChangeKind::Rejoin, prop.Id);
+      RemoveChanges(scene, ChangeKind::NewContext);
+    }
     if (!MayShareMapper(scene, prop))
     {
       prop.MapperOf = -1;

@@ -27,6 +27,7 @@ DRAW_LIST = "vtkShadowDrawList.cxx"
 LITMAP_SET = "vtkShadowLitmapSet.cxx"
 REACH = "vtkShadowUmbra.cxx"
 VOLUME = "vtkShadowVolume.cxx"
+BLOCKS = "vtkNBufferBlocks.cxx"
 
 NO_VERTEX_SLACK = [(BOX_ERROR, "VertexErrors = 6.0 *", "VertexErrors = 0.0 *"),
                    (BOX_ERROR, "OriginErrors = 4.0 *", "OriginErrors = 0.0 *")]
@@ -177,6 +178,8 @@ MUTANTS = {
         ("vtkNBufferCandidate.h",
          ": this->Watch.MayHaveChanged(observedAreUnchanged);",
          ": this->Verdict == vtkNBufferVerdict::NoBounds && this->Watch.MayHaveChanged(true);")],
+    "boxes of blocks that have moved": [
+        (BLOCKS, "std::max(mapper->GetMTime(), GetTimeOfPoints(data));", "mapper->GetMTime();")],
     "camera's motion not noticed": [
         ("vtkNBufferCamera.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [
@@ -278,6 +281,8 @@ SHADOW_MUTANTS = {
          "try_emplace(reinterpret_cast<vtkMTimeType>(&caster))")],
     "volumes of parallel cameras end within the view": [
         (VOLUME, "Lengthening = 1.01;", "Lengthening = 0.5;")],
+    "volumes along which a parallel camera looks are infinite": [
+        (DRAW_LIST, "(light.IsPositional() || isAlong);", "light.IsPositional();")],
     "near cap missing": [
         (VOLUME,
          "this->AddTriangles(silhouette, nearImage, Side::Near);\n\n  if (light.IsPositional())",

@@ -11,7 +11,9 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCubeSource.h"
+#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
@@ -22,6 +24,7 @@
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkStripper.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -364,6 +367,34 @@ const LargeProps::Change BlockChanges[] = {
     },
     false },
   { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
+#if VTKNBUFFER_HAS_BLOCK_TEXTURES
+  // VTK shows arbitrary colors on blocks without a texture if others have one.
+  { "Textures",
+    [](Stage& stage)
+    {
+      vtkSmartPointer<vtkTexture> textures[2];
+      for (int n = 0; n < 2; ++n)
+      {
+        vtkNew<vtkImageData> image;
+        image->SetDimensions(2, 2, 1);
+        image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+        for (int i = 0; i < 12; ++i)
+        {
+          static_cast<unsigned char*>(image->GetScalarPointer())[i] = 20 * i + 15 * n;
+        }
+        textures[n] = vtkSmartPointer<vtkTexture>::New();
+        textures[n]->SetInputData(image);
+      }
+      for (unsigned int i = 0; i < GetBlocks(stage)->GetNumberOfBlocks(); ++i)
+      {
+        vtkPointData* values = GetBlock(stage, i)->GetPointData();
+        values->SetTCoords(LargeProps::AddRandomArray<vtkFloatArray>(
+          values, GetBlock(stage, i)->GetNumberOfPoints(), "places", 2, 0.0, 1.0));
+        GetBlockMapper(stage)->SetBlockTexture(i + 1, textures[i % 2]);
+      }
+      GetBlocks(stage)->Modified();
+    } },
+#endif
 };
 }
 

@@ -8,6 +8,7 @@
 
 #include "vtkAxesActor.h"
 #include "vtkDataSetMapper.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
@@ -15,6 +16,8 @@
 #include "vtkPointGaussianMapper.h"
 #include "vtkPropAssembly.h"
 #include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -107,6 +110,49 @@ TEST_P(CullerKinds, BehindTheWall)
   comparison.Frame(
     "without the wall", [](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer()); });
   EXPECT_NE(comparison.GetVerdict(Wall::Count), Verdict::Hidden);
+}
+
+// Hazard: VTK draws selected cells nearer to the eye than they are, and goes on to do so after the
+// mapper has lost its selection.
+TEST(CullerSelections, AreDrawnUntilTheMapperForgetsThem)
+{
+  const auto build = [](Stage& stage)
+  {
+    Scenes::BuildWall(stage);
+    stage.Add(MakeHidden());
+    Scenes::SetWallCamera(stage.GetRenderer());
+  };
+  Comparison comparison(build);
+  const auto getMapper = [](Stage& stage)
+  { return vtkActor::SafeDownCast(stage.Props[Wall::Count])->GetMapper(); };
+  const auto renderThrice = [&]
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      Scenes::FrameOfWall(comparison, 0.1 * i);
+    }
+    return comparison.GetVerdict(Wall::Count);
+  };
+  EXPECT_EQ(renderThrice(), Verdict::Hidden);
+  comparison.Both(
+    [&](Stage& stage)
+    {
+      vtkNew<vtkIdTypeArray> ids;
+      for (vtkIdType i = 0; i < 6; ++i)
+      {
+        ids->InsertNextValue(i);
+      }
+      vtkNew<vtkSelectionNode> node;
+      node->SetContentType(vtkSelectionNode::INDICES);
+      node->SetFieldType(vtkSelectionNode::CELL);
+      node->SetSelectionList(ids);
+      vtkNew<vtkSelection> selection;
+      selection->AddNode(node);
+      getMapper(stage)->SetSelection(selection);
+    });
+  EXPECT_EQ(renderThrice(), Verdict::NotASurface);
+  comparison.Both([&](Stage& stage) { getMapper(stage)->SetSelection(nullptr); });
+  EXPECT_EQ(renderThrice(), Verdict::NotASurface);
 }
 
 namespace

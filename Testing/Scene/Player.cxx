@@ -404,6 +404,12 @@ void Player::ApplyToRenderer(const Change& change)
     case ChangeKind::SSAO:
       renderer->SetUseSSAO(value != 0.0);
       break;
+    case ChangeKind::Erase:
+      renderer->SetErase(value != 0.0);
+      break;
+    case ChangeKind::PreserveDepth:
+      renderer->SetPreserveDepthBuffer(value != 0.0);
+      break;
     default:
       break;
   }

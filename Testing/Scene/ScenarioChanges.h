@@ -58,7 +58,8 @@ enum class ChangeKind
   LineWidth,      ///< The size of points gets the same value.
   Edges,          //
   MovePoints,    ///< Adds values 0 to 2 to the points of the data, in place, and value 3 times z to
-                 ///< x. If value 4 is not 0, all observers of the points are removed first.
+                 ///< x. If value 4 is not 0, all observers of the points are removed first. Of a
+                 ///< composite prop it moves the second block, and modifies no other object.
   ReplaceData,   ///< Replaces the data by a shape of another size (values 0 to 2). If value 3 is
                  ///< not 0, its points have the reverse order.
   ClippingPlane, ///< Moves the origin of the plane, in place; 3 values.
@@ -91,7 +92,11 @@ enum class ChangeKind
   SlabGap,
   CasterKeys,
   BoxCost,
-  BlockOpacity ///< Of the second block of a composite prop.
+  BlockOpacity, ///< Of the second block of a composite prop.
+  CulledFaces,  ///< As Prop::CulledFaces.
+  MarkedCells,  ///< How many cells, from the first on, are a selection of the mapper.
+  Erase,        ///< Of renderer `Target`.
+  PreserveDepth ///< Of renderer `Target`.
 };
 NBUFFER_SCENE_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix", "Color",
   "Opacity", "Visible", "Representation", "LineWidth", "Edges", "MovePoints", "ReplaceData",
@@ -99,7 +104,8 @@ NBUFFER_SCENE_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix"
   "Pass", "FXAA", "SSAO", "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize",
   "CullerPresent", "PolygonOffset", "Select", "Casts", "BlockVisible", "LightPosition",
   "LightFocalPoint", "LightCone", "LightOn", "LightCasts", "LightAttenuation", "ShadowMode",
-  "LitmapResolution", "SlabGap", "CasterKeys", "BoxCost", "BlockOpacity");
+  "LitmapResolution", "SlabGap", "CasterKeys", "BoxCost", "BlockOpacity", "CulledFaces",
+  "MarkedCells", "Erase", "PreserveDepth");
 
 /// A change before a frame is drawn. Changes of one frame are applied in the order of the list.
 struct Change

@@ -29,7 +29,6 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
@@ -70,6 +69,35 @@ vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency)
   return texture;
 }
 
+void SetInput(vtkPolyDataMapper* mapper, const Prop& prop, bool reversePoints)
+{
+  vtkSmartPointer<vtkPolyData> data = MakeShape(prop.Shape, prop.Scalars);
+  if (reversePoints)
+  {
+    ReversePoints(data);
+  }
+  if (prop.Kind != PropKind::Piped)
+  {
+    mapper->SetInputData(data);
+    return;
+  }
+  vtkNew<vtkTransformFilter> filter;
+  vtkNew<vtkTransform> transform;
+  filter->SetTransform(transform);
+  filter->SetInputData(data);
+  mapper->SetInputConnection(filter->GetOutputPort());
+}
+
+void SetMatrix(vtkProp3D* prop, const std::vector<double>& elements)
+{
+  if (elements.size() == 16)
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->DeepCopy(elements.data());
+    prop->SetUserMatrix(matrix);
+  }
+}
+
 namespace
 {
 class PropWithoutBounds : public vtkProp
@@ -88,25 +116,6 @@ Shape GetSecondPart(const Shape& shape)
   second.Center[0] += 1.25 * shape.Size[0];
   second.Seed += 1;
   return second;
-}
-
-void SetInput(vtkPolyDataMapper* mapper, const Prop& prop, bool reversePoints)
-{
-  vtkSmartPointer<vtkPolyData> data = MakeShape(prop.Shape, prop.Scalars);
-  if (reversePoints)
-  {
-    ReversePoints(data);
-  }
-  if (prop.Kind != PropKind::Piped)
-  {
-    mapper->SetInputData(data);
-    return;
-  }
-  vtkNew<vtkTransformFilter> filter;
-  vtkNew<vtkTransform> transform;
-  filter->SetTransform(transform);
-  filter->SetInputData(data);
-  mapper->SetInputConnection(filter->GetOutputPort());
 }
 
 /// Each instance gets a size and an orientation of its own; with every other seed a third of them
@@ -305,16 +314,6 @@ void SetActor(vtkActor* actor, const Prop& prop)
   SetShader(actor, prop.Shader);
 }
 
-void SetMatrix(vtkProp3D* prop, const std::vector<double>& elements)
-{
-  if (elements.size() == 16)
-  {
-    vtkNew<vtkMatrix4x4> matrix;
-    matrix->DeepCopy(elements.data());
-    prop->SetUserMatrix(matrix);
-  }
-}
-
 vtkSmartPointer<vtkProp3D> MakeVolume(const Prop& prop)
 {
   constexpr int side = 6;
@@ -406,93 +405,6 @@ vtkSmartPointer<vtkProp3D> MakeProp3D(const Prop& prop, vtkCamera* camera)
     }
   }
 }
-
-void MovePoints(vtkMapper* mapper, const Change& change)
-{
-  auto* filter =
-    mapper ? vtkTransformFilter::SafeDownCast(mapper->GetInputAlgorithm(0, 0)) : nullptr;
-  vtkAlgorithm* user = filter ? static_cast<vtkAlgorithm*>(filter) : mapper;
-  auto* data = user ? vtkPolyData::SafeDownCast(user->GetInputDataObject(0, 0)) : nullptr;
-  vtkPoints* points = data ? data->GetPoints() : nullptr;
-  if (!points)
-  {
-    return;
-  }
-  if (GetValue(change, 4) != 0.0)
-  {
-    points->RemoveAllObservers();
-  }
-  TestScene::MovePoints(
-    points, { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) }, GetValue(change, 3));
-}
-
-void ReplaceData(vtkMapper* mapper, const Prop& description, const Change& change)
-{
-  auto* plain = vtkPolyDataMapper::SafeDownCast(mapper);
-  if (plain && description.Kind != PropKind::Composite)
-  {
-    Prop other = description;
-    other.Shape.Size = { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) };
-    SetInput(plain, other, GetValue(change, 3) != 0.0);
-  }
-}
-
-void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
-{
-  vtkProperty* property = actor->GetProperty();
-  vtkMapper* mapper = actor->GetMapper();
-  const double value = GetValue(change, 0);
-  switch (change.Kind)
-  {
-    case ChangeKind::Color:
-      property->SetColor(value, GetValue(change, 1), GetValue(change, 2));
-      break;
-    case ChangeKind::Opacity:
-      property->SetOpacity(value);
-      break;
-    case ChangeKind::Representation:
-      property->SetRepresentation(static_cast<int>(value));
-      break;
-    case ChangeKind::LineWidth:
-      property->SetLineWidth(static_cast<float>(value));
-      property->SetPointSize(static_cast<float>(value));
-      break;
-    case ChangeKind::Edges:
-      property->SetEdgeVisibility(value != 0.0);
-      break;
-    case ChangeKind::MovePoints:
-      if (description.Kind == PropKind::Actor || description.Kind == PropKind::Piped ||
-        description.Kind == PropKind::Glyphs)
-      {
-        MovePoints(mapper, change);
-      }
-      break;
-    case ChangeKind::ReplaceData:
-      ReplaceData(mapper, description, change);
-      break;
-    case ChangeKind::BlockVisible:
-      if (auto* composite = CompositeMapper::SafeDownCast(mapper))
-      {
-        composite->SetBlockVisibility(2, value != 0.0);
-      }
-      break;
-    case ChangeKind::BlockOpacity:
-      if (auto* composite = CompositeMapper::SafeDownCast(mapper))
-      {
-        composite->SetBlockOpacity(2, value);
-      }
-      break;
-    case ChangeKind::ClippingPlane:
-      if (mapper && mapper->GetClippingPlanes())
-      {
-        mapper->GetClippingPlanes()->GetItem(0)->SetOrigin(
-          value, GetValue(change, 1), GetValue(change, 2));
-      }
-      break;
-    default:
-      break;
-  }
-}
 }
 
 vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera)
@@ -517,50 +429,5 @@ vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera)
   result->SetVisibility(prop.Visible);
   result->SetUseBounds(prop.UseBounds);
   return result;
-}
-
-void ChangeProp(vtkProp* prop, const Prop& description, const Change& change)
-{
-  double values[3] = { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) };
-  if (change.Kind == ChangeKind::Visible)
-  {
-    prop->SetVisibility(values[0] != 0.0);
-  }
-  else if (change.Kind == ChangeKind::Casts)
-  {
-    LightRig::SetCasts(prop, values[0] != 0.0);
-  }
-  else if (auto* prop3D = vtkProp3D::SafeDownCast(prop))
-  {
-    switch (change.Kind)
-    {
-      case ChangeKind::Position:
-        prop3D->SetPosition(values);
-        break;
-      case ChangeKind::Orientation:
-        prop3D->SetOrientation(values);
-        break;
-      case ChangeKind::Scale:
-        prop3D->SetScale(values);
-        break;
-      case ChangeKind::UserMatrix:
-        // In place, if there is one: the actor is not modified then.
-        if (prop3D->GetUserMatrix() && change.Values.size() == 16)
-        {
-          prop3D->GetUserMatrix()->DeepCopy(change.Values.data());
-        }
-        else
-        {
-          SetMatrix(prop3D, change.Values);
-        }
-        break;
-      default:
-        if (auto* actor = vtkActor::SafeDownCast(prop))
-        {
-          ChangeActor(actor, description, change);
-        }
-        break;
-    }
-  }
 }
 }

@@ -12,8 +12,11 @@
 #include "vtkProp.h"
 #include "vtkSmartPointer.h"
 
-class vtkCamera;
+#include <vector>
 
+class vtkCamera;
+class vtkPolyDataMapper;
+class vtkProp3D;
 class vtkTexture;
 
 namespace TestScene
@@ -24,6 +27,13 @@ vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency);
 
 /// Makes a prop. Followers turn towards `camera`.
 vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera);
+
+/// Makes the data of a prop and gives it to a mapper, if need be by a filter. With `reversePoints`
+/// the points have the reverse order.
+void SetInput(vtkPolyDataMapper* mapper, const Prop& prop, bool reversePoints);
+
+/// Sets a prop's matrix. Does nothing unless there are 16 elements.
+void SetMatrix(vtkProp3D* prop, const std::vector<double>& elements);
 
 /// Applies a change to a prop. Ignores changes that do not fit the kind of prop.
 void ChangeProp(vtkProp* prop, const Prop& description, const Change& change);

@@ -69,6 +69,38 @@ TEST(NBufferDrawPass, StaysAttachedWhereTheMapperIsKeptWhole)
   EXPECT_TRUE(pass->IsAttachedTo(mapper));
 }
 
+// Hazard: an actor begins to share a mapper in a frame in which nothing looks for large props.
+TEST(NBufferDrawPass, FollowsTheMapper)
+{
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkActor> actors[3];
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkPolyDataMapper> other;
+  actors[0]->SetMapper(mapper);
+  actors[1]->SetMapper(mapper);
+  actors[2]->SetMapper(other);
+  vtkProp* props[] = { actors[0], actors[1], actors[2] };
+  vtkNBufferDrawPass::Follow(window, props, 3);
+  EXPECT_EQ(CountPasses(actors[0]), 0) << "no actor has it";
+  const auto pass = vtkNBufferDrawPass::Get(window);
+  pass->Attach(actors[0]);
+  vtkNBufferDrawPass::Follow(window, props, 3);
+  vtkNBufferDrawPass::Follow(window, props, 3);
+  EXPECT_EQ(CountPasses(actors[0]), 1);
+  EXPECT_EQ(CountPasses(actors[1]), 1);
+  EXPECT_EQ(CountPasses(actors[2]), 0);
+  for (const int i : { 0, 1 })
+  {
+    if (i > 0)
+    {
+      pass->Attach(actors[i]);
+      EXPECT_EQ(CountPasses(actors[i]), 1);
+    }
+    pass->Detach(actors[i]);
+    EXPECT_EQ(CountPasses(actors[i]), 0);
+  }
+}
+
 // The pass is never detached from an actor that is deleted. A new actor may be made at its address
 // (the allocator uses an address again soon), and must get the pass.
 TEST(NBufferDrawPass, ForgetsActorsThatWereDeleted)

@@ -26,6 +26,7 @@
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -36,8 +37,7 @@ class vtkShaderProperty;
 
 namespace vtkNBufferProtectedMembers
 {
-/// The time stamp of an object itself. vtkObject::GetMTime() is virtual and may combine several
-/// stamps.
+/// The time stamp of an object itself. GetMTime() is virtual, and may combine several stamps.
 inline const vtkTimeStamp& GetTimeStamp(const vtkObject* object)
 {
   struct Access : vtkObject
@@ -63,11 +63,20 @@ inline vtkShaderProperty* const& GetShaderProperty(const vtkProp* prop)
   return prop->*Access::Get();
 }
 
-/**
- * The stream (index buffer, program and vertex array) that a mapper is about to draw, while it sets
- * the parameters of its shader; nullptr unless the mapper draws only the triangles of polygons,
- * only those of strips, or only points.
- */
+/// Whether a mapper draws a selection. VTK's mapper draws one even after SetSelection(nullptr).
+inline bool DrawsSelection(vtkOpenGLPolyDataMapper* mapper)
+{
+  struct Access : vtkOpenGLPolyDataMapper
+  {
+    static auto Get() { return &Access::SelectionPrimitives; }
+  };
+  return std::any_of(std::begin(mapper->*Access::Get()), std::end(mapper->*Access::Get()),
+    [](const vtkOpenGLHelper& stream) { return stream.IBO->IndexCount > 0; });
+}
+
+/// The stream (index buffer, program and vertex array) that a mapper is about to draw, while it sets
+/// the parameters of its shader; nullptr unless the mapper draws only the triangles of polygons,
+/// only those of strips, or only points.
 inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
 {
   struct Access : vtkOpenGLPolyDataMapper
@@ -76,15 +85,12 @@ inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
     {
       vtkOpenGLHelper* stream = mapper->*&Access::LastBoundBO;
       vtkOpenGLHelper* streams = mapper->*&Access::Primitives;
-      vtkOpenGLHelper* selected = mapper->*&Access::SelectionPrimitives;
       const bool isKnown = stream == streams + PrimitiveTris ||
         stream == streams + PrimitiveTriStrips || stream == streams + PrimitivePoints;
-      bool isOnly = isKnown && !(mapper->*&Access::PointPicking);
+      bool isOnly = isKnown && !(mapper->*&Access::PointPicking) && !DrawsSelection(mapper);
       for (int i = PrimitiveStart; i <= PrimitiveTriStrips; ++i)
       {
-        const bool isOther = streams + i != stream;
-        isOnly = isOnly && (streams[i].IBO->IndexCount > 0) == !isOther &&
-          selected[i].IBO->IndexCount == 0;
+        isOnly = isOnly && (streams[i].IBO->IndexCount > 0) == (streams + i == stream);
       }
       return isOnly ? stream : nullptr;
     }
@@ -120,12 +126,9 @@ inline std::size_t GetNumberOfVertices(vtkOpenGLPolyDataMapper* mapper)
 {
   struct Access : vtkOpenGLPolyDataMapper
   {
-    static vtkOpenGLVertexBufferObjectGroup* Get(vtkOpenGLPolyDataMapper* mapper)
-    {
-      return mapper->*&Access::VBOs;
-    }
+    static auto Get() { return &Access::VBOs; }
   };
-  return static_cast<std::size_t>(Access::Get(mapper)->GetNumberOfTuples("vertexMC"));
+  return static_cast<std::size_t>((mapper->*Access::Get())->GetNumberOfTuples("vertexMC"));
 }
 
 /// The buffers that the internal mapper of a vtkGlyph3DMapper has uploaded for its instances.

@@ -4,6 +4,7 @@
 
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
 
@@ -14,6 +15,7 @@
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
 #include "vtkVolume.h"
@@ -51,6 +53,12 @@ bool IsForcedToBeOpaque(vtkActor* actor)
   return actor->GetForceOpaque() &&
     (actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
       (mapper && mapper->HasTranslucentPolygonalGeometry()));
+}
+
+bool DrawsSelection(vtkMapper* mapper)
+{
+  auto* drawn = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  return mapper->GetSelection() || (drawn && vtkNBufferProtectedMembers::DrawsSelection(drawn));
 }
 
 bool BlendsAmongOpaque(vtkActor* actor)
@@ -126,7 +134,7 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   }
   const bool linesOrPoints = this->Box.Margin > 0.0;
   if (!vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), linesOrPoints) ||
-    (linesOrPoints && vtkNBufferSurface::DrawsLines(mapper)) || mapper->GetSelection())
+    (linesOrPoints && vtkNBufferSurface::DrawsLines(mapper)) || DrawsSelection(mapper))
   {
     return vtkNBufferVerdict::NotASurface;
   }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <iterator>
 #include <mutex>
+#include <unordered_set>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferDrawPass);
@@ -25,9 +26,15 @@ struct vtkNBufferDrawPass::Registry
   std::map<vtkWindow*, vtkNBufferDrawPass*> Passes;
 };
 
-vtkSmartPointer<vtkNBufferDrawPass> vtkNBufferDrawPass::Get(vtkWindow* window)
+const std::shared_ptr<vtkNBufferDrawPass::Registry>& vtkNBufferDrawPass::GetRegistry()
 {
   static const auto registry = std::make_shared<Registry>();
+  return registry;
+}
+
+vtkSmartPointer<vtkNBufferDrawPass> vtkNBufferDrawPass::Get(vtkWindow* window)
+{
+  const std::shared_ptr<Registry>& registry = GetRegistry();
   const std::lock_guard<std::mutex> lock(registry->Mutex);
   vtkSmartPointer<vtkNBufferDrawPass> pass = registry->Passes[window];
   if (!pass)
@@ -49,7 +56,34 @@ vtkNBufferDrawPass::~vtkNBufferDrawPass()
   }
 }
 
-void vtkNBufferDrawPass::Attach(vtkActor* actor)
+void vtkNBufferDrawPass::Follow(vtkWindow* window, vtkProp** props, int count)
+{
+  vtkSmartPointer<vtkNBufferDrawPass> pass;
+  {
+    const std::lock_guard<std::mutex> lock(GetRegistry()->Mutex);
+    const auto found = GetRegistry()->Passes.find(window);
+    if (found == GetRegistry()->Passes.end())
+    {
+      return;
+    }
+    pass = found->second;
+  }
+  std::unordered_set<vtkMapper*> mappers;
+  for (const auto& [address, user] : pass->Users)
+  {
+    mappers.insert(user.Actor ? user.Actor->GetMapper() : nullptr);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    auto* actor = vtkActor::SafeDownCast(props[i]);
+    if (actor && actor->GetMapper() && mappers.count(actor->GetMapper()))
+    {
+      pass->AddUser(actor);
+    }
+  }
+}
+
+vtkNBufferDrawPass::User& vtkNBufferDrawPass::AddUser(vtkActor* actor)
 {
   if (this->Users.size() >= this->UsersToCheck)
   {
@@ -63,17 +97,19 @@ void vtkNBufferDrawPass::Attach(vtkActor* actor)
   if (!user.Actor)
   {
     user = { actor, 0 };
+    if (!actor->GetPropertyKeys())
+    {
+      vtkNew<vtkInformation> keys;
+      actor->SetPropertyKeys(keys);
+    }
+    vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), this);
   }
-  if (user.Count++ > 0)
-  {
-    return;
-  }
-  if (!actor->GetPropertyKeys())
-  {
-    vtkNew<vtkInformation> keys;
-    actor->SetPropertyKeys(keys);
-  }
-  vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), this);
+  return user;
+}
+
+void vtkNBufferDrawPass::Attach(vtkActor* actor)
+{
+  ++this->AddUser(actor).Count;
 }
 
 void vtkNBufferDrawPass::Detach(vtkActor* actor)

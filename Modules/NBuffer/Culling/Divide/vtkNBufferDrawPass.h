@@ -20,6 +20,7 @@
 class vtkActor;
 class vtkInformationIntegerKey;
 class vtkMapper;
+class vtkProp;
 class vtkWindow;
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
@@ -48,6 +49,11 @@ public:
   void Attach(vtkActor* actor);
   void Detach(vtkActor* actor);
   ///@}
+
+  /// Give the pass of a window to those of the props that have begun to share the mapper of an
+  /// actor that has it. For frames in which nothing looks for large props. They are attached
+  /// later, or keep the pass.
+  static void Follow(vtkWindow* window, vtkProp** props, int count);
 
   /// Whether the pass is attached to an actor with this mapper.
   bool IsAttachedTo(vtkMapper* mapper) const;
@@ -88,10 +94,14 @@ private:
   struct User
   {
     vtkWeakPointer<vtkActor> Actor;
-    int Count = 0;
+    int Count = 0; ///< How often it is attached. 0 for an actor that Follow() has found.
   };
 
   struct Registry;
+  static const std::shared_ptr<Registry>& GetRegistry();
+
+  /// The actor's entry, new and with the pass in the actor's keys if there was none.
+  User& AddUser(vtkActor* actor);
 
   std::shared_ptr<Registry> Owner; ///< The passes of all windows, kept until the last pass ends.
   vtkWindow* Window = nullptr;     ///< The key of this pass in the registry.
