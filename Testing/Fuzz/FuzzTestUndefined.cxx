@@ -188,6 +188,20 @@ TEST(FuzzUndefined, NoSelectionsOfReleasedPropsAndOfThoseWithEdges)
   EXPECT_TRUE(scenario.Props[1].Edges);
 }
 
+// Composite mappers keep texture units, until VTK has no more of them.
+TEST(FuzzUndefined, NotManyCompositeProps)
+{
+  Scenario scenario;
+  scenario.Props.resize(40);
+  for (Prop& prop : scenario.Props)
+  {
+    prop.Kind = PropKind::Composite;
+  }
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[23].Kind, PropKind::Composite);
+  EXPECT_EQ(scenario.Props[24].Kind, PropKind::Actor);
+}
+
 // Splats keep the global offset with which their shaders were made.
 TEST(FuzzUndefined, NoChangedOffsetOfSplats)
 {

@@ -116,6 +116,12 @@ void MakeMaterials(Writer& writer)
     prop.Flat = writer.Chance(flat);
     prop.Kind = prop.Kind == PropKind::Actor && writer.Chance(piped) ? PropKind::Piped : prop.Kind;
   }
+  // Not drawn, so that the rest of a scenario stays what it was for its seed.
+  for (Prop& prop : writer.Scene.Props)
+  {
+    const bool hasBlocks = writer.Scene.Seed % 8 == 1 && prop.Id % 2 == 0;
+    prop.Kind = prop.Kind == PropKind::Actor && hasBlocks ? PropKind::Composite : prop.Kind;
+  }
   // These take long to draw in software, or their shaders to compile.
   if (writer.Chance(0.01))
   {
@@ -144,7 +150,14 @@ void ChangeAnyProp(Writer& writer, int frame)
     case 1:
     case 2:
     case 3:
-      add(ChangeKind::Position, { moved[0], moved[1], moved[2] });
+      if (prop.Kind == PropKind::Composite)
+      {
+        add(ChangeKind::MovePoints, { move[0], move[1], move[2] });
+      }
+      else
+      {
+        add(ChangeKind::Position, { moved[0], moved[1], moved[2] });
+      }
       break;
     case 4:
     case 5:

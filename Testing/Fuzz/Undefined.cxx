@@ -81,6 +81,15 @@ bool MayShareMapper(const Scenario& scene, const Prop& prop)
 void RemoveUndefined(Scenario& scene)
 {
   SetRenderersOfParts(scene);
+  // Each composite mapper keeps a texture unit (docs/limits.md), of which there may be only 32.
+  int left = 24;
+  for (Prop& prop : scene.Props)
+  {
+    if (prop.Kind == PropKind::Composite && left-- <= 0)
+    {
+      prop.Kind = PropKind::Actor;
+    }
+  }
   if (std::any_of(scene.Props.begin(), scene.Props.end(),
         [](const Prop& prop) { return prop.Kind == PropKind::Splats; }))
   {
