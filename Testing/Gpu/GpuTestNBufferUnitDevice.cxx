@@ -178,6 +178,12 @@ TEST_P(GpuTestNBufferUnitAnswers, AreThoseOfTheHost)
   }
   vtkNBufferUnitAnswers answers;
   int hidden = 0;
+  // An application's part of a buffer stays bound.
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, 1024, nullptr, GL_STATIC_DRAW);
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 1, buffer, 256, 512);
   for (const double sampleDistance : { 0.0, 0.5, 0.0 })
   {
     const vtkNBufferUnitCulling::Depth depth = { levels, nullptr, sampleDistance };
@@ -193,6 +199,7 @@ TEST_P(GpuTestNBufferUnitAnswers, AreThoseOfTheHost)
     const vtkNBufferUnitCulling::Counts& counts = onHost.GetCounts();
     hidden = counts.Units - counts.Outside - counts.Kept - counts.Fresh;
   }
+  glDeleteBuffers(1, &buffer);
   EXPECT_GT(hidden, 50);
   EXPECT_GT(onHost.GetCounts().Kept, 100);
 

@@ -125,6 +125,9 @@ GLStateSnapshot GLStateSnapshot::Capture(vtkOpenGLRenderWindow* window)
     {
       glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, number, integers);
       values["GL_SHADER_STORAGE_BUFFER_BINDING " + std::to_string(number)] = Join(integers, 1);
+      GLint64 start = 0;
+      glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, number, &start);
+      values["GL_SHADER_STORAGE_BUFFER_START " + std::to_string(number)] = std::to_string(start);
     }
   }
 

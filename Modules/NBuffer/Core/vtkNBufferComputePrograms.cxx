@@ -87,8 +87,23 @@ ScopedCompute::ScopedCompute()
   for (GLuint number = 0; number < NumberOfBuffers; ++number)
   {
     GLint buffer = 0;
+    GLint64 start = 0;
+    GLint64 size = 0; // 0: the whole buffer
     glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, number, &buffer);
-    this->AtEnd([number, buffer] { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, number, buffer); });
+    glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, number, &start);
+    glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, number, &size);
+    this->AtEnd(
+      [number, buffer, start, size]
+      {
+        if (size > 0)
+        {
+          glBindBufferRange(GL_SHADER_STORAGE_BUFFER, number, buffer, start, size);
+        }
+        else
+        {
+          glBindBufferBase(GL_SHADER_STORAGE_BUFFER, number, buffer);
+        }
+      });
   }
   this->AtEnd([unit = GetInteger(GL_ACTIVE_TEXTURE)] { glActiveTexture(unit); });
   for (const GLenum unit : { GL_TEXTURE0, GL_TEXTURE1 })
