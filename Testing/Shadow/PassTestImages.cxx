@@ -230,6 +230,7 @@ TEST_F(PassImages, CoincidentTopologyDarkensNothing)
       }
       // Where two surfaces meet, the other one may have the pixel.
       EXPECT_LT(differing, mask.size() / 1000) << "of " << mask.size();
+      EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 0) << "the picture has the offsets";
     }
   }
   vtkMapper::SetResolveCoincidentTopologyToDefault();

@@ -114,7 +114,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   {
     this->Shading.SetLights(lights);
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Color);
-    this->Draw(state, this->GetTarget().GetDepth());
+    this->Draw(state, vtkShadowShading::Purpose::Color);
     leave.reset();
     statistics.Decision = still ? vtkShadowDecision::Still : vtkShadowDecision::Drawn;
   }
@@ -154,7 +154,7 @@ bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings
   {
     const AtEnd pop([this] { this->Window->GetState()->PopFramebufferBindings(); });
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Depth);
-    this->Draw(state, nullptr);
+    this->Draw(state, vtkShadowShading::Purpose::Depth);
   }
   this->Statistics.DepthTime = clock.GetMilliseconds();
   return this->Masks.Make({ state->GetRenderer(), lights, this->Casters, this->Timers,
@@ -162,9 +162,9 @@ bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings
     settings.Masks);
 }
 
-void vtkShadowOpaqueStage::Draw(const vtkRenderState* state, vtkTextureObject* depth)
+void vtkShadowOpaqueStage::Draw(const vtkRenderState* state, vtkShadowShading::Purpose purpose)
 {
-  const vtkShadowShading::Scope scope(this->Shading, this->Window, this->GetTarget(), depth);
+  const vtkShadowShading::Scope scope(this->Shading, this->Window, this->GetTarget(), purpose);
   this->Opaque->Render(state);
 }
 

@@ -87,7 +87,7 @@ private:
   void ReleaseObjects(vtkWindow* window);
   bool MakeMasks(const vtkRenderState* state, const Settings& settings,
     const std::vector<vtkShadowLightSource>& lights);
-  void Draw(const vtkRenderState* state, vtkTextureObject* depth);
+  void Draw(const vtkRenderState* state, vtkShadowShading::Purpose purpose);
   int DrawPlain(const vtkRenderState* state, vtkShadowDecision decision);
   void JoinProps(const vtkRenderState* state);
   void LeaveProps(const vtkRenderState* state);

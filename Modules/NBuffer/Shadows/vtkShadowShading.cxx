@@ -112,7 +112,7 @@ void vtkShadowShading::SetParameters(vtkShaderProgram* program)
   }
   if (program->IsUniformUsed("shadowOffsets"))
   {
-    program->SetUniformf("shadowOffsets", this->DrawsColor ? 1.0f : 0.0f);
+    program->SetUniformf("shadowOffsets", this->DrawnFor == Purpose::Color ? 1.0f : 0.0f);
   }
   if (program->IsUniformUsed("shadowAttenuations"))
   {
@@ -122,10 +122,10 @@ void vtkShadowShading::SetParameters(vtkShaderProgram* program)
 }
 
 vtkShadowShading::Scope::Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow* window,
-  const vtkShadowTarget& target, vtkTextureObject* depth)
+  const vtkShadowTarget& target, Purpose purpose)
   : ActiveUnit(window->GetState())
   , Target(target)
-  , Depth(depth)
+  , Depth(purpose == Purpose::Color ? target.GetDepth() : nullptr)
 {
   // The masks are bound even if depth alone is drawn, because samplers of two kinds must not share
   // a texture unit.
@@ -135,12 +135,12 @@ vtkShadowShading::Scope::Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow*
     target.GetMask(i)->Activate();
     shading.TextureUnits[i] = target.GetMask(i)->GetTextureUnit();
   }
-  shading.DrawsColor = depth != nullptr;
+  shading.DrawnFor = purpose;
   shading.DepthUnit = shading.TextureUnits[0];
-  if (depth)
+  if (this->Depth)
   {
-    depth->Activate();
-    shading.DepthUnit = depth->GetTextureUnit();
+    this->Depth->Activate();
+    shading.DepthUnit = this->Depth->GetTextureUnit();
   }
   shading.LastProgram = {};
   shading.SampleOffsets.clear();

@@ -57,14 +57,20 @@ public:
   /// Sets the uniforms of a mapper's program. Call it within a Scope.
   void SetParameters(vtkShaderProgram* program);
 
-  /// Binds the masks of `target`, and `depth` if it is not nullptr, to texture units. Without
-  /// `depth` the depth of receivers is drawn, otherwise their color. When the
-  /// scope ends, it releases them and restores the active texture unit.
+  /// What the props are drawn for.
+  enum class Purpose
+  {
+    Depth, ///< The depth of the receivers.
+    Color
+  };
+
+  /// Binds the masks of `target` and, for Color, the depth that the shaders need, to texture units.
+  /// When the scope ends, it releases them and restores the active texture unit.
   class Scope
   {
   public:
     Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
-      vtkTextureObject* depth);
+      Purpose purpose);
     ~Scope();
     Scope(const Scope&) = delete;
     void operator=(const Scope&) = delete;
@@ -82,7 +88,7 @@ private:
   std::vector<vtkShadowLightSource> Lights;
   std::vector<int> TextureUnits; ///< Element i is the texture unit of mask i.
   int DepthUnit = 0;
-  bool DrawsColor = true;
+  Purpose DrawnFor = Purpose::Color;
   /// The program whose uniforms were set last in this Scope, and its handle. Most props share their
   /// program, which keeps its uniforms from prop to prop.
   std::pair<const void*, int> LastProgram = {};
