@@ -260,6 +260,27 @@ TEST_F(PassImages, NegativeConesAreAsWideAsPositiveOnes)
   }
 }
 
+// Hazard: through a prop that blends, surfaces in the cone are seen behind a nearest one that is
+// not in the cone, and thus is no receiver.
+TEST_F(PassImages, ConesBehindPropsThatBlend)
+{
+  const Stage stage = SetStage(
+    [](SceneBuilder& scene)
+    {
+      TestScene::Prop& box = scene.Box({ 1.0, 1.0, 0.8 }, { 4.0, 0.5, 4.0 });
+      box.ForceOpaque = true;
+      box.Opacity = 0.5;
+      scene.Spot({ -4.0, 1.1, -6.2 }, { 0.0, 0.0, 0.0 }, 10.0);
+      scene.Look({ 7.8, 5.9, 3.9 }, { 0.0, 0.0, 0.0 });
+    },
+    120, 64);
+  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
+  const Picture expected = RenderPicture(stage);
+  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
+  EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+}
+
 // Hazard: where front faces are not drawn, the inside of a closed caster is seen, which no light
 // reaches.
 TEST_F(PassImages, InsidesThatAreSeenAreDark)

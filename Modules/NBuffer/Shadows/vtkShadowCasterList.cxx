@@ -16,6 +16,7 @@
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -29,8 +30,17 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The lighting margin of props whose shaders are not known.
+/// The lighting margin of props of which it is not known where they are lit.
 constexpr double Anywhere = std::numeric_limits<double>::infinity();
+
+/// vtkNBufferSurface::GetLightingMargin(). Through a prop that may blend among opaque ones,
+/// surfaces behind the nearest one are seen, which may be anywhere.
+double GetLightingMargin(vtkActor* actor)
+{
+  const bool mayBlend =
+    actor->GetForceOpaque() || vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
+  return mayBlend ? Anywhere : vtkNBufferSurface::GetLightingMargin(actor);
+}
 
 std::vector<vtkInformationKey*> GetKeys(vtkInformation* information)
 {
@@ -194,8 +204,7 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   {
     return;
   }
-  member.LightingMargin =
-    std::max(member.LightingMargin, vtkNBufferSurface::GetLightingMargin(actor));
+  member.LightingMargin = std::max(member.LightingMargin, ::GetLightingMargin(actor));
   member.MovesUnseen = member.MovesUnseen || vtkNBufferSurface::HasReplacedShaders(actor) ||
     vtkNBufferSurface::HasOtherCoordinates(actor);
   if (!member.Casts)
