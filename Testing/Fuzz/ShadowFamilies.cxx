@@ -295,8 +295,9 @@ bool IsPlain(const Scenario& scene)
     [](const Change& change)
     {
       return change.Kind != ChangeKind::Representation && change.Kind != ChangeKind::Edges &&
-        change.Kind != ChangeKind::Opacity && change.Kind != ChangeKind::PolygonOffset &&
-        change.Kind != ChangeKind::CulledFaces && change.Kind != ChangeKind::MarkedCells;
+        change.Kind != ChangeKind::Opacity && change.Kind != ChangeKind::BlockOpacity &&
+        change.Kind != ChangeKind::PolygonOffset && change.Kind != ChangeKind::CulledFaces &&
+        change.Kind != ChangeKind::MarkedCells;
     });
   return plainProps && plainChanges;
 }
