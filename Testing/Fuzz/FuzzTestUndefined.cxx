@@ -202,6 +202,23 @@ TEST(FuzzUndefined, NotManyCompositeProps)
   EXPECT_EQ(scenario.Props[24].Kind, PropKind::Actor);
 }
 
+// VTK does not notice that a block has moved, and may compute a clipping range from old bounds.
+TEST(FuzzUndefined, NoClippingRangesByBlocksThatMove)
+{
+  Scenario scenario;
+  scenario.Props.resize(1);
+  scenario.Views.resize(2);
+  scenario.Views[1].Near = 1.0;
+  scenario.Views[1].Far = 7.0;
+  scenario.Changes = { { 1, ChangeKind::MovePoints, 0, { 1.0 } } };
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Views[0].Far, 0.0) << "not composite";
+  scenario.Props[0].Kind = PropKind::Composite;
+  RemoveUndefined(scenario);
+  EXPECT_GT(scenario.Views[0].Far, scenario.Views[0].Near);
+  EXPECT_EQ(scenario.Views[1].Far, 7.0);
+}
+
 // Splats keep the global offset with which their shaders were made.
 TEST(FuzzUndefined, NoChangedOffsetOfSplats)
 {

@@ -39,6 +39,27 @@ void RemoveChanges(Scenario& scene, ChangeKind kind, std::optional<int> target =
     scene.Changes.end());
 }
 
+bool HasChange(const Scenario& scene, ChangeKind kind, int target)
+{
+  return std::any_of(scene.Changes.begin(), scene.Changes.end(),
+    [kind, target](const Change& change)
+    { return change.Kind == kind && change.Target == target; });
+}
+
+/// Sets the clipping ranges that VTK would compute from the bounds of props.
+void SetClippingRanges(std::vector<View>& views)
+{
+  for (View& view : views)
+  {
+    if (view.Near == 0.0 && view.Far == 0.0)
+    {
+      const double distance = glm::length(view.Position - view.FocalPoint);
+      view.Near = 0.02 * distance;
+      view.Far = 10.0 * distance;
+    }
+  }
+}
+
 bool IsSSAO(PassKind pass)
 {
   return pass == PassKind::SSAO;
@@ -106,6 +127,12 @@ void RemoveUndefined(Scenario& scene)
     {
       prop.Kind = PropKind::Actor;
     }
+    // VTK does not notice that a block has moved: its bounds are those of the time when they were
+    // computed last, which may be earlier with a culler than without one.
+    if (prop.Kind == PropKind::Composite && HasChange(scene, ChangeKind::MovePoints, prop.Id))
+    {
+      SetClippingRanges(scene.Views);
+    }
     // VTK keeps the opacity of instances until mapper or data change (docs/limits.md).
     if (prop.Kind == PropKind::Glyphs)
     {
@@ -113,9 +140,7 @@ void RemoveUndefined(Scenario& scene)
     }
     // VTK draws a selection of a mapper from buffers that it has released, and crashes. Where the
     // prop has edges, the colors of the selection are arbitrary.
-    if (std::any_of(scene.Changes.begin(), scene.Changes.end(),
-          [&prop](const Change& change)
-          { return change.Kind == ChangeKind::MarkedCells && change.Target == prop.Id; }))
+    if (HasChange(scene, ChangeKind::MarkedCells, prop.Id))
     {
       prop.Edges = false;
       RemoveChanges(scene, ChangeKind::Edges, prop.Id);
@@ -135,10 +160,7 @@ void RemoveUndefined(Scenario& scene)
     // splats with edges in another color each time.
     if (prop.Kind == PropKind::Splats ||
       (prop.Kind == PropKind::Glyphs &&
-        (!prop.ClippingPlane.empty() ||
-          std::any_of(scene.Changes.begin(), scene.Changes.end(),
-            [&prop](const Change& change)
-            { return change.Kind == ChangeKind::ClippingPlane && change.Target == prop.Id; }))))
+        (!prop.ClippingPlane.empty() || HasChange(scene, ChangeKind::ClippingPlane, prop.Id))))
     {
       prop.Edges = false;
       RemoveChanges(scene, ChangeKind::Edges, prop.Id);

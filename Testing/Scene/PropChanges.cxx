@@ -49,9 +49,6 @@ void MovePoints(vtkMapper* mapper, const Change& change)
   {
     return;
   }
-  // VTK does not notice that a block has moved: its bounds are those of the time when they were
-  // computed last, which may be earlier with a culler than without one.
-  mapper->GetBounds();
   if (GetValue(change, 4) != 0.0)
   {
     points->RemoveAllObservers();
