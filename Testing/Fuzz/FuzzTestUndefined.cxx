@@ -202,8 +202,9 @@ TEST(FuzzUndefined, NotManyCompositeProps)
   EXPECT_EQ(scenario.Props[24].Kind, PropKind::Actor);
 }
 
-// VTK does not notice that a block has moved, and may compute a clipping range from old bounds.
-TEST(FuzzUndefined, NoClippingRangesByBlocksThatMove)
+// VTK does not notice that a block has moved. It may compute a clipping range from old bounds, and
+// leave the prop out by them.
+TEST(FuzzUndefined, NoOldBoundsOfBlocksThatMove)
 {
   Scenario scenario;
   scenario.Props.resize(1);
@@ -217,6 +218,7 @@ TEST(FuzzUndefined, NoClippingRangesByBlocksThatMove)
   RemoveUndefined(scenario);
   EXPECT_GT(scenario.Views[0].Far, scenario.Views[0].Near);
   EXPECT_EQ(scenario.Views[1].Far, 7.0);
+  EXPECT_EQ(scenario.Culler.DefaultCuller, DefaultCuller::Removed);
 }
 
 // Splats keep the global offset with which their shaders were made.

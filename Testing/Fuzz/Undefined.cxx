@@ -128,10 +128,12 @@ void RemoveUndefined(Scenario& scene)
       prop.Kind = PropKind::Actor;
     }
     // VTK does not notice that a block has moved: its bounds are those of the time when they were
-    // computed last, which may be earlier with a culler than without one.
+    // computed last, which may be earlier with a culler than without one. Its own culler leaves the
+    // prop out by these bounds.
     if (prop.Kind == PropKind::Composite && HasChange(scene, ChangeKind::MovePoints, prop.Id))
     {
       SetClippingRanges(scene.Views);
+      scene.Culler.DefaultCuller = DefaultCuller::Removed;
     }
     // VTK keeps the opacity of instances until mapper or data change (docs/limits.md).
     if (prop.Kind == PropKind::Glyphs)

@@ -367,8 +367,8 @@ const LargeProps::Change BlockChanges[] = {
     },
     false },
   { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
-#if VTKNBUFFER_HAS_BLOCK_TEXTURES
-  // VTK shows arbitrary colors on blocks without a texture if others have one.
+  // VTK shows arbitrary colors on blocks without a texture if others have one. (Before 9.6 blocks
+  // cannot have textures of their own.)
   { "Textures",
     [](Stage& stage)
     {
@@ -390,11 +390,12 @@ const LargeProps::Change BlockChanges[] = {
         vtkPointData* values = GetBlock(stage, i)->GetPointData();
         values->SetTCoords(LargeProps::AddRandomArray<vtkFloatArray>(
           values, GetBlock(stage, i)->GetNumberOfPoints(), "places", 2, 0.0, 1.0));
+#if VTKNBUFFER_HAS_BLOCK_TEXTURES
         GetBlockMapper(stage)->SetBlockTexture(i + 1, textures[i % 2]);
+#endif
       }
       GetBlocks(stage)->Modified();
     } },
-#endif
 };
 }
 
