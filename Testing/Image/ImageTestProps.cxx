@@ -8,7 +8,6 @@
 
 #include "vtkAxesActor.h"
 #include "vtkDataSetMapper.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
@@ -16,8 +15,6 @@
 #include "vtkPointGaussianMapper.h"
 #include "vtkPropAssembly.h"
 #include "vtkProperty.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -123,8 +120,13 @@ TEST(CullerSelections, AreDrawnUntilTheMapperForgetsThem)
     Scenes::SetWallCamera(stage.GetRenderer());
   };
   Comparison comparison(build);
-  const auto getMapper = [](Stage& stage)
-  { return vtkActor::SafeDownCast(stage.Props[Wall::Count])->GetMapper(); };
+  const auto mark = [&comparison](double cells)
+  {
+    comparison.Both(
+      [cells](Stage& stage) {
+        ChangeProp(stage.Props[Wall::Count], Prop(), { 0, ChangeKind::MarkedCells, 0, { cells } });
+      });
+  };
   const auto renderThrice = [&]
   {
     for (int i = 0; i < 3; ++i)
@@ -134,24 +136,9 @@ TEST(CullerSelections, AreDrawnUntilTheMapperForgetsThem)
     return comparison.GetVerdict(Wall::Count);
   };
   EXPECT_EQ(renderThrice(), Verdict::Hidden);
-  comparison.Both(
-    [&](Stage& stage)
-    {
-      vtkNew<vtkIdTypeArray> ids;
-      for (vtkIdType i = 0; i < 6; ++i)
-      {
-        ids->InsertNextValue(i);
-      }
-      vtkNew<vtkSelectionNode> node;
-      node->SetContentType(vtkSelectionNode::INDICES);
-      node->SetFieldType(vtkSelectionNode::CELL);
-      node->SetSelectionList(ids);
-      vtkNew<vtkSelection> selection;
-      selection->AddNode(node);
-      getMapper(stage)->SetSelection(selection);
-    });
+  mark(6.0);
   EXPECT_EQ(renderThrice(), Verdict::NotASurface);
-  comparison.Both([&](Stage& stage) { getMapper(stage)->SetSelection(nullptr); });
+  mark(0.0);
   EXPECT_EQ(renderThrice(), Verdict::NotASurface);
 }
 
