@@ -46,7 +46,8 @@ bool HasChange(const Scenario& scene, ChangeKind kind, int target)
     { return change.Kind == kind && change.Target == target; });
 }
 
-/// Sets the clipping ranges that VTK would compute from the bounds of props.
+/// Sets the clipping ranges of those views for which VTK would compute them from the bounds of
+/// props.
 void SetClippingRanges(std::vector<View>& views)
 {
   for (View& view : views)
