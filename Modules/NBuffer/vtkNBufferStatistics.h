@@ -49,8 +49,8 @@ enum class vtkNBufferVerdict : int
                     ///< prop (or a part of one) that uses it in another way. VTK then draws one of
                     ///< them with the shaders, the range or the vertex buffer of the other. If
                     ///< these shaders read what the other does not set, all props are drawn.
-  Blended,          ///< Drawn: it blends in the opaque stage, or comes after such a prop in the
-                    ///< renderer's list, so that their order shows.
+  Blended,          ///< Drawn: it blends in the opaque stage, or comes in the renderer's list after
+                    ///< a prop that blends there or reads the depth, so that their order shows.
   NumberOfVerdicts
 };
 

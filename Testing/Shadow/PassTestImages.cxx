@@ -9,8 +9,13 @@
 #include "ShadowShapes.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkLight.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkSelectVisiblePoints.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +43,25 @@ void AddLights(SceneBuilder& scene)
   scene.PointLight({ -0.1, 0.2, 2.2 }).Intensity = 0.25;
   scene.Directional({ -0.6, 0.35, -0.7 }).Intensity = 0.25;
 }
+
+/// Selects the visible points while it is drawn, as labels of vtkLabeledDataMapper do.
+class PointLabels : public vtkActor2D
+{
+public:
+  static PointLabels* New();
+  vtkTypeMacro(PointLabels, vtkActor2D);
+
+  vtkNew<vtkSelectVisiblePoints> Visible;
+
+  int RenderOpaqueGeometry(vtkViewport*) override
+  {
+    this->Visible->Update();
+    return 0;
+  }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return false; }
+  int RenderOverlay(vtkViewport*) override { return 0; }
+};
+vtkStandardNewMacro(PointLabels);
 
 NamedScenario GetColourScene(const std::string& name)
 {
@@ -310,6 +334,45 @@ TEST_F(PassImages, InsidesThatAreSeenAreDark)
     GetActors(stage.GetRenderer())[1]->GetProperty()->FrontfaceCullingOff();
     EXPECT_EQ(getMiddle(), 0);
   }
+}
+
+// Hazard: labels read the depth that has been drawn before them, and the pass draws the receivers'
+// depth elsewhere before it draws anything into the window.
+TEST_F(PassImages, LabelsFindTheVisiblePoints)
+{
+  const Stage stage = SetStage(
+    [](SceneBuilder& scene)
+    {
+      scene.Floor(5.0);
+      scene.Sphere({ 0.0, 0.0, 1.5 }, 1.0);
+      scene.Directional({ 0.3, 0.2, -1.0 });
+      scene.Look({ 0.0, -6.0, 4.0 }, { 0.0, 0.0, 1.5 });
+    },
+    200, 150);
+  vtkNew<vtkSphereSource> points; // around the sphere
+  points->SetCenter(0.0, 0.0, 1.5);
+  points->SetRadius(1.2);
+  points->SetThetaResolution(12);
+  points->SetPhiResolution(12);
+  vtkNew<PointLabels> labels;
+  labels->Visible->SetInputConnection(points->GetOutputPort());
+  labels->Visible->SetTolerance(1e-4);
+  labels->Visible->SetRenderer(stage.GetRenderer());
+  stage.GetRenderer()->AddViewProp(labels);
+  stage.Window->Render();
+  const auto count = [&]
+  {
+    labels->Visible->Modified();
+    stage.Window->Render();
+    return labels->Visible->GetOutput()->GetNumberOfPoints();
+  };
+  const vtkIdType expected = count();
+  EXPECT_GT(expected, 20);
+  EXPECT_LT(expected, points->GetOutput()->GetNumberOfPoints() - 20);
+  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  EXPECT_EQ(count(), expected) << "masks are made";
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+  EXPECT_EQ(count(), expected) << "masks are used again";
 }
 
 // There are more lights than one texture has channels for.

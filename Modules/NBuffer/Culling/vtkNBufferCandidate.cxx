@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidate.h"
 
+#include "vtkNBufferDrawOrder.h"
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferProtectedMembers.h"
-#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
@@ -17,7 +17,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkTexture.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -44,27 +43,17 @@ bool IsAffine(vtkMatrix4x4* matrix)
   return row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0 && row[3] == 1.0;
 }
 
-/// Whether an actor is opaque by force, and translucent if nothing is forced (see
-/// vtkActor::HasTranslucentPolygonalGeometry()).
-bool IsForcedToBeOpaque(vtkActor* actor)
-{
-  vtkTexture* texture = actor->GetTexture();
-  vtkMapper* mapper = actor->GetMapper();
-  return actor->GetForceOpaque() &&
-    (actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
-      (mapper && mapper->HasTranslucentPolygonalGeometry()));
-}
-
 bool DrawsSelection(vtkMapper* mapper)
 {
   auto* drawn = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   return mapper->GetSelection() || (drawn && vtkNBufferProtectedMembers::DrawsSelection(drawn));
 }
-
-bool BlendsAmongOpaque(vtkActor* actor)
-{
-  return IsForcedToBeOpaque(actor) || vtkNBufferSplatStream::Blends(actor);
 }
+
+bool vtkNBufferCandidate::HasParts() const
+{
+  return this->Verdict == vtkNBufferVerdict::NotAPlainActor &&
+    (this->DepthWriter || vtkActor2D::SafeDownCast(this->Prop));
 }
 
 bool vtkNBufferCandidate::ReadParts(std::vector<vtkNBufferSharedState::Uses>& uses) const
@@ -73,9 +62,10 @@ bool vtkNBufferCandidate::ReadParts(std::vector<vtkNBufferSharedState::Uses>& us
   this->Prop->InitPathTraversal();
   while (vtkAssemblyPath* path = this->Prop->GetNextPath())
   {
-    if (auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp()))
+    vtkProp* part = path->GetLastNode()->GetViewProp();
+    isBlended = isBlended || vtkNBufferDrawOrder::MattersTo(part);
+    if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      isBlended = isBlended || BlendsAmongOpaque(actor);
       uses.push_back(vtkNBufferSharedState::GetUses(actor));
     }
   }
@@ -110,7 +100,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   this->HasInstances = vtkNBufferInstanceStream::MayBeDivided(actor, true);
   this->Verdict = this->HasInstances ? vtkNBufferVerdict::Translucent : this->Classify(actor, box);
   this->DepthWriter = actor->GetMapper() && actor->HasOpaqueGeometry();
-  this->Blended = BlendsAmongOpaque(actor);
+  this->Blended = vtkNBufferDrawOrder::MattersTo(actor);
   this->Offset = vtkNBufferSurface::HasOffset(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();
   // Composite data never counts as unchanged (IsTracked()). The times of its blocks, which would

@@ -80,10 +80,10 @@ public:
   ///@{
   /**
    * Whether the prop may blend in the opaque stage, so that the image depends on the order of
-   * drawing. If IsBlended(), it always does: it is a translucent prop that the application forces
-   * to be opaque, or it draws splats that blend (vtkNBufferSplatStream::Blends()). If
-   * MayDrawLines(), it does if the window smooths lines. If MayLackNormals(), it does if there is
-   * ambient occlusion, which needs normals (see vtkNBufferCompatibility::DrawingSettings).
+   * drawing. If IsBlended(), it always does, or it reads the depth there
+   * (vtkNBufferDrawOrder::MattersTo()). If MayDrawLines(), it does if the window smooths lines. If
+   * MayLackNormals(), it does if there is ambient occlusion, which needs normals (see
+   * vtkNBufferCompatibility::DrawingSettings).
    */
   bool IsBlended() const { return this->Blended; }
   bool MayDrawLines() const
@@ -98,15 +98,13 @@ public:
 
   ///@{
   /**
-   * HasParts() says whether the prop is an assembly, or any other prop that is no plain actor and
-   * may write depth. The parts of such a prop may change without a newer modification time, so that
-   * ReadParts() has to be called in each frame. ReadParts() returns whether any part is blended
-   * (see IsBlended()), and appends the objects that the parts use to `uses`.
+   * HasParts() says whether the prop is an assembly, or any other prop that is no plain actor,
+   * except volumes. The parts of such a prop, which may be its only part itself, may change without
+   * a newer modification time, so that ReadParts() has to be called in each frame. ReadParts()
+   * returns whether any part is blended (see IsBlended()), and appends the objects that the parts
+   * use to `uses`.
    */
-  bool HasParts() const
-  {
-    return this->Verdict == vtkNBufferVerdict::NotAPlainActor && this->DepthWriter;
-  }
+  bool HasParts() const;
   bool ReadParts(std::vector<vtkNBufferSharedState::Uses>& uses) const;
   ///@}
 

@@ -22,8 +22,8 @@ struct vtkNBufferListTraits
   bool Translucent = false;    ///< Some prop is translucent and may be tested.
   bool LackOfNormals = false;  ///< Some prop may lack normals.
   ///@{
-  /// The place of the first prop that is blended in the opaque stage, of the first one with such a
-  /// part, and of the first one that may draw lines. VTK_INT_MAX if there is none.
+  /// The place of the first prop that is blended (vtkNBufferCandidate::IsBlended()), of the first
+  /// one with such a part, and of the first one that may draw lines. VTK_INT_MAX if there is none.
   int FirstBlended = VTK_INT_MAX;
   int FirstBlendedPart = VTK_INT_MAX;
   int FirstLines = VTK_INT_MAX;
@@ -40,8 +40,9 @@ struct vtkNBufferListTraits
     this->FirstLines = std::min(this->FirstLines, candidate.MayDrawLines() ? i : VTK_INT_MAX);
   }
 
-  /// The place of the first prop that may blend in the opaque stage, so that it and all props after
-  /// it have to be drawn in their order, after all props before it. VTK_INT_MAX if no prop blends.
+  /// The place of the first prop that may be blended in the opaque stage, so that it and all props
+  /// after it have to be drawn in their order, after all props before it. VTK_INT_MAX if there is
+  /// none.
   /// `smoothLines` is that of vtkNBufferCompatibility::DrawingSettings.
   int GetFirstBlended(bool smoothLines) const
   {

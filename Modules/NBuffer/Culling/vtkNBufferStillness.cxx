@@ -5,8 +5,8 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-bool vtkNBufferStillness::BeginFrame(
-  vtkRenderer* renderer, const vtkNBufferSettings& settings, bool changed, bool frozen)
+bool vtkNBufferStillness::BeginFrame(vtkRenderer* renderer, const vtkNBufferSettings& settings,
+  const vtkNBufferListTraits& traits, bool changed, bool frozen)
 {
   const auto drawing =
     std::exchange(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
@@ -14,10 +14,12 @@ bool vtkNBufferStillness::BeginFrame(
   const bool wasShared = std::exchange(this->IsShared, settings.Shared != nullptr);
   const bool erased =
     std::exchange(this->ErasesDepth, vtkNBufferCompatibility::ErasesDepth(renderer));
-  changed = changed || !(this->Drawing == drawing) || this->TestSlivers != slivers ||
+  const int first =
+    std::exchange(this->FirstBlended, traits.GetFirstBlended(this->Drawing.SmoothLines));
+  changed = changed || this->FirstBlended != first || !(this->Drawing == drawing) || this->TestSlivers != slivers ||
     this->IsShared != wasShared || this->ErasesDepth != erased || this->ChangedWhileFrozen;
   this->ChangedWhileFrozen = frozen && changed;
-  this->Same = !changed && this->ErasesDepth;
+  this->Same = !changed && this->ErasesDepth && !traits.UntrackedDepth;
   return this->Same;
 }
 VTK_ABI_NAMESPACE_END

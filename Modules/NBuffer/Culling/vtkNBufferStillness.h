@@ -7,7 +7,7 @@
  *
  * It does unless the list of props, a prop, the view, or a setting has changed. If a frame does not
  * begin by erasing color and depth, its depth also depends on what was drawn before, and it never
- * counts as the same.
+ * counts as the same. Neither does it where the depth of a prop may change without a newer time.
  *
  * In a parallel program this class compares the frames of one rank; vtkNBufferSharedDepth::Poll()
  * finds out about the other ranks. It also counts as a change if depth is shared in only one of the
@@ -18,6 +18,7 @@
 
 #include "vtkNBufferCompatibility.h"
 #include "vtkNBufferDepthTest.h"
+#include "vtkNBufferListTraits.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
@@ -28,8 +29,8 @@ public:
   /// Begin a frame. Returns whether nothing has changed since the last one. `changed`: whether the
   /// view, the list of props, or a prop has changed. `frozen`: whether the verdicts are used in
   /// spite of that (vtkNBufferCuller::SetFreeze()).
-  bool BeginFrame(
-    vtkRenderer* renderer, const vtkNBufferSettings& settings, bool changed, bool frozen);
+  bool BeginFrame(vtkRenderer* renderer, const vtkNBufferSettings& settings,
+    const vtkNBufferListTraits& traits, bool changed, bool frozen);
 
   /// What BeginFrame() has returned.
   bool IsSame() const { return this->Same; }
@@ -37,8 +38,12 @@ public:
   /// How the renderer draws in this frame.
   const vtkNBufferCompatibility::DrawingSettings& GetDrawing() const { return this->Drawing; }
 
+  /// vtkNBufferListTraits::GetFirstBlended() for this frame.
+  int GetFirstBlended() const { return this->FirstBlended; }
+
 private:
   vtkNBufferCompatibility::DrawingSettings Drawing;
+  int FirstBlended = VTK_INT_MAX;
   bool Same = false;
   bool TestSlivers = false;
   bool IsShared = false;

@@ -69,9 +69,8 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Division.Update(renderer, this->Settings);
   this->Statistics.RefreshTime = part.Restart();
 
-  const bool isSame = this->Stillness.BeginFrame(renderer, settings,
-                        listChanged || this->Statistics.Refreshed > 0 || moved, frozen) &&
-    !this->Props.GetTraits().UntrackedDepth;
+  const bool isSame = this->Stillness.BeginFrame(renderer, settings, this->Props.GetTraits(),
+    listChanged || this->Statistics.Refreshed > 0 || moved, frozen);
   const bool mayReuse = complete && isSame && this->Settings.ReuseWhenStill && !this->DrawsInVain;
   bool reuses = frozen || mayReuse;
   if (!reuses)
@@ -118,7 +117,7 @@ void vtkNBufferView::Classify(vtkRenderer* renderer)
 vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
 {
   const vtkNBufferCompatibility::DrawingSettings& drawing = this->Stillness.GetDrawing();
-  const int firstBlended = this->Props.GetTraits().GetFirstBlended(drawing.SmoothLines);
+  const int firstBlended = this->Stillness.GetFirstBlended();
   vtkNBufferFrustumCounts counts = this->Partition.Classify(firstBlended, this->Projection);
   counts.Blending = this->Props.HasBlending(drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;

@@ -6,6 +6,7 @@
 #include "vtkNBufferGL.h"
 #include "vtkShadowLightList.h"
 
+#include "vtkActor2D.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -150,11 +152,20 @@ bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings
   const std::vector<vtkShadowLightSource>& lights)
 {
   const vtkNBufferClock clock;
+  // Labels may read the depth of the window while they are drawn (vtkNBufferDrawOrder.h), in which
+  // nothing has been drawn yet. No 2-D actor receives shadows.
+  std::vector<vtkProp*> props;
+  std::copy_if(state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount(),
+    std::back_inserter(props), [](vtkProp* prop) { return !vtkActor2D::SafeDownCast(prop); });
+  vtkRenderState receivers(state->GetRenderer());
+  receivers.SetFrameBuffer(state->GetFrameBuffer());
+  receivers.SetRequiredKeys(state->GetRequiredKeys());
+  receivers.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   this->Masks.BeginDepth(this->Window);
   {
     const AtEnd pop([this] { this->Window->GetState()->PopFramebufferBindings(); });
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Depth);
-    this->Draw(state, vtkShadowShading::Purpose::Depth);
+    this->Draw(&receivers, vtkShadowShading::Purpose::Depth);
   }
   this->Statistics.DepthTime = clock.GetMilliseconds();
   return this->Masks.Make({ state->GetRenderer(), lights, this->Casters, this->Timers,

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferDrawOrder.h"
+
+#include "vtkNBufferSplatStream.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkBillboardTextActor3D.h"
+#include "vtkImageData.h"
+#include "vtkImageProperty.h"
+#include "vtkImageSlice.h"
+#include "vtkImageSliceMapper.h"
+#include "vtkMapper.h"
+#include "vtkMapper2D.h"
+#include "vtkProperty.h"
+#include "vtkSelectVisiblePoints.h"
+#include "vtkTextActor3D.h"
+#include "vtkTexture.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Whether an actor is opaque by force, and translucent if nothing is forced (see
+/// vtkActor::HasTranslucentPolygonalGeometry()).
+bool IsForcedToBeOpaque(vtkActor* actor)
+{
+  vtkTexture* texture = actor->GetTexture();
+  vtkMapper* mapper = actor->GetMapper();
+  return actor->GetForceOpaque() &&
+    (actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
+      (mapper && mapper->HasTranslucentPolygonalGeometry()) || actor->IsA("vtkFlagpoleLabel"));
+}
+
+/// Whether all colors of a slice are opaque. Lookup tables and other mappers may make an alpha.
+bool HasOpaqueColors(vtkImageSlice* slice)
+{
+  auto* mapper = vtkImageSliceMapper::SafeDownCast(slice->GetMapper());
+  vtkImageProperty* property = slice->GetProperty();
+  if (!mapper || !mapper->GetInput() || property->GetOpacity() < 1.0 || property->GetLookupTable())
+  {
+    return false;
+  }
+  mapper->Update();
+  const int components = mapper->GetInput()->GetNumberOfScalarComponents();
+  return components == 1 || components == 3;
+}
+
+/// Whether vtkSelectVisiblePoints is among the filters that lead to an algorithm.
+bool SelectsVisiblePoints(vtkAlgorithm* algorithm)
+{
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, i);
+      if (producer &&
+        (vtkSelectVisiblePoints::SafeDownCast(producer) || SelectsVisiblePoints(producer)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
+
+bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
+{
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    vtkMapper* mapper = actor->GetMapper();
+    return IsForcedToBeOpaque(actor) || vtkNBufferSplatStream::Blends(actor) ||
+      (mapper && mapper->IsA("vtkLabeledContourMapper"));
+  }
+  if (auto* slice = vtkImageSlice::SafeDownCast(prop))
+  {
+    return !slice->HasTranslucentPolygonalGeometry() && !HasOpaqueColors(slice);
+  }
+  if (auto* text = vtkTextActor3D::SafeDownCast(prop))
+  {
+    return text->GetForceOpaque();
+  }
+  if (auto* text = vtkBillboardTextActor3D::SafeDownCast(prop))
+  {
+    return text->GetForceOpaque();
+  }
+  auto* label = vtkActor2D::SafeDownCast(prop);
+  vtkMapper2D* mapper = label ? label->GetMapper() : nullptr;
+  return mapper &&
+    (mapper->IsA("vtkBatchedLabeledDataMapper") ||
+      (mapper->IsA("vtkLabeledDataMapper") && SelectsVisiblePoints(mapper)));
+}
+VTK_ABI_NAMESPACE_END

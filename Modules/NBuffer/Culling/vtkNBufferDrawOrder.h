@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferDrawOrder.h
+ * @brief Whether a prop needs the opaque stage to draw in the order of the renderer's list.
+ *
+ * A prop that is drawn late is missing from what the props after it in the list find. The image
+ * shows that if one of them
+ *
+ *  - blends in the opaque stage. Actors and texts do if the application forces them to be opaque,
+ *    and splats may (vtkNBufferSplatStream::Blends()). VTK draws slices of images there, whatever
+ *    their opacity (vtkImageSlice::HasTranslucentPolygonalGeometry()), and the labels of
+ *    vtkLabeledContourMapper and vtkBatchedLabeledDataMapper;
+ *  - reads the depth there. vtkLabeledDataMapper updates its pipeline while it is drawn, and
+ *    vtkSelectVisiblePoints in that pipeline compares points with what the window has drawn so far.
+ */
+#ifndef vtkNBufferDrawOrder_h
+#define vtkNBufferDrawOrder_h
+
+#include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+class vtkProp;
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace vtkNBufferDrawOrder
+{
+/// Whether a prop itself does one of these. The parts of an assembly are not looked at.
+bool MattersTo(vtkProp* prop);
+}
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferDrawOrder.h

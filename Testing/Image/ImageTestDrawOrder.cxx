@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Props that show, or read, what the opaque stage has drawn before them: slices of images, texts
+// and labels.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkActor2D.h"
+#include "vtkBillboardTextActor3D.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageActor.h"
+#include "vtkImageData.h"
+#include "vtkImageProperty.h"
+#include "vtkImageSlice.h"
+#include "vtkImageSliceMapper.h"
+#include "vtkLabeledContourMapper.h"
+#include "vtkLookupTable.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkSelectVisiblePoints.h"
+#include "vtkTextActor3D.h"
+#include "vtkTextProperty.h"
+
+#if __has_include("vtkFlagpoleLabel.h")
+#define VTKNBUFFER_TEST_HAS_FLAGPOLES 1
+#include "vtkFlagpoleLabel.h"
+#endif
+#if VTKNBUFFER_TEST_HAS_RENDERINGIMAGE
+#include "vtkImageResliceMapper.h"
+#include "vtkImageStack.h"
+#endif
+#if VTKNBUFFER_TEST_HAS_RENDERINGLABEL
+#include "vtkLabelPlacementMapper.h"
+#include "vtkLabeledDataMapper.h"
+#include "vtkPointSetToLabelHierarchy.h"
+#if __has_include("vtkBatchedLabeledDataMapper.h")
+#define VTKNBUFFER_TEST_HAS_BATCHED_LABELS 1
+#include "vtkBatchedLabeledDataMapper.h"
+#endif
+#endif
+
+#include <functional>
+
+using Scenes::Wall;
+
+namespace
+{
+using Make = std::function<vtkSmartPointer<vtkProp>(vtkRenderer*)>;
+
+struct Ordered : NamedCase
+{
+  Make MakeProp; ///< Returns nullptr if this VTK has no such class.
+  bool NeedsOrder = true;
+};
+
+/// An image of 16 x 12 pixels in front of the wall, as large as the wall.
+vtkSmartPointer<vtkImageData> MakeImage(int components = 1)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(16, 12, 1);
+  image->SetSpacing(0.9, 0.8, 1.0);
+  image->SetOrigin(-6.8, -4.4, 6.0);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+  auto* value = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 16 * 12 * components; ++i)
+  {
+    value[i] = static_cast<unsigned char>(7 * i);
+  }
+  return image;
+}
+
+/// A slice that is not in the translucent stage, changed.
+Make Slice(const std::function<void(vtkImageSlice*)>& change, int components = 1)
+{
+  return [change, components](vtkRenderer*)
+  {
+    vtkNew<vtkImageSliceMapper> mapper;
+    mapper->SetInputData(MakeImage(components));
+    auto slice = vtkSmartPointer<vtkImageSlice>::New();
+    slice->SetMapper(mapper);
+    change(slice);
+    return slice;
+  };
+}
+
+void SetTable(vtkImageSlice* slice)
+{
+  vtkNew<vtkLookupTable> table;
+  table->SetAlphaRange(0.2, 0.9);
+  slice->GetProperty()->SetLookupTable(table);
+}
+
+/// Such a mapper leaves what is outside of the image transparent.
+vtkSmartPointer<vtkProp> MakeReslice(vtkRenderer*)
+{
+#if VTKNBUFFER_TEST_HAS_RENDERINGIMAGE
+  vtkNew<vtkImageResliceMapper> mapper;
+  mapper->SetInputData(MakeImage());
+  mapper->SliceFacesCameraOn();
+  mapper->SliceAtFocalPointOff();
+  auto slice = vtkSmartPointer<vtkImageSlice>::New();
+  slice->SetMapper(mapper);
+  return slice;
+#else
+  return nullptr;
+#endif
+}
+
+vtkSmartPointer<vtkProp> MakeStack(vtkRenderer* renderer)
+{
+#if VTKNBUFFER_TEST_HAS_RENDERINGIMAGE
+  auto stack = vtkSmartPointer<vtkImageStack>::New();
+  stack->AddImage(vtkImageSlice::SafeDownCast(
+    Slice([](vtkImageSlice* slice) { slice->GetProperty()->SetOpacity(0.5); })(renderer)));
+  return stack;
+#else
+  (void)renderer;
+  return nullptr;
+#endif
+}
+
+vtkSmartPointer<vtkProp> MakeImageActor(vtkRenderer*)
+{
+  auto actor = vtkSmartPointer<vtkImageActor>::New();
+  actor->SetInputData(MakeImage(4));
+  actor->ForceOpaqueOn();
+  return actor;
+}
+
+/// A text in space that is forced to be opaque.
+template <typename Text>
+vtkSmartPointer<Text> MakeText()
+{
+  auto text = vtkSmartPointer<Text>::New();
+  text->SetInput("Boxes");
+  text->GetTextProperty()->SetFontSize(30);
+  text->ForceOpaqueOn();
+  return text;
+}
+
+vtkSmartPointer<vtkProp> MakeTextInSpace(vtkRenderer*)
+{
+  auto text = MakeText<vtkTextActor3D>();
+  text->SetPosition(-5.0, -1.0, 6.0);
+  text->SetScale(0.1);
+  return text;
+}
+
+vtkSmartPointer<vtkProp> MakeBillboard(vtkRenderer*)
+{
+  auto text = MakeText<vtkBillboardTextActor3D>();
+  text->SetPosition(-3.0, 0.0, 6.0);
+  return text;
+}
+
+vtkSmartPointer<vtkProp> MakeFlagpole(vtkRenderer*)
+{
+#if VTKNBUFFER_TEST_HAS_FLAGPOLES
+  auto text = MakeText<vtkFlagpoleLabel>();
+  text->SetBasePosition(-1.0, -3.0, 6.0);
+  text->SetTopPosition(-1.0, 0.0, 6.0);
+  return text;
+#else
+  return nullptr;
+#endif
+}
+
+/// Lines with labels, in front of the wall.
+vtkSmartPointer<vtkProp> MakeContours(vtkRenderer* renderer)
+{
+  renderer->GetRenderWindow()->StencilCapableOn();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkFloatArray> values;
+  for (int line = 0; line < 3; ++line)
+  {
+    lines->InsertNextCell(40);
+    for (int i = 0; i < 40; ++i)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(0.3 * i - 6.0, 2.0 * line - 2.0, 6.0));
+      values->InsertNextValue(100.0F + 11.0F * static_cast<float>(line));
+    }
+  }
+  vtkNew<vtkPolyData> contours;
+  contours->SetPoints(points);
+  contours->SetLines(lines);
+  contours->GetPointData()->SetScalars(values);
+  vtkNew<vtkTextProperty> text;
+  text->SetFontSize(24);
+  vtkNew<vtkLabeledContourMapper> mapper;
+  mapper->SetInputData(contours);
+  mapper->SetTextProperty(text);
+  mapper->SetSkipDistance(0.0);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+/// Points among the boxes, some of which are hidden by them.
+vtkSmartPointer<vtkPlaneSource> MakePoints()
+{
+  auto points = vtkSmartPointer<vtkPlaneSource>::New();
+  points->SetOrigin(-6.0, -4.0, -3.0);
+  points->SetPoint1(6.0, -4.0, -3.0);
+  points->SetPoint2(-6.0, 4.0, -3.0);
+  points->SetResolution(9, 7);
+  return points;
+}
+
+#if VTKNBUFFER_TEST_HAS_RENDERINGLABEL
+vtkSmartPointer<vtkActor2D> MakeLabels(vtkMapper2D* mapper)
+{
+  auto labels = vtkSmartPointer<vtkActor2D>::New();
+  labels->SetMapper(mapper);
+  return labels;
+}
+#endif
+
+/// Labels of points; if `onlyVisible`, of those that vtkSelectVisiblePoints finds visible.
+vtkSmartPointer<vtkProp> MakeLabeledPoints(vtkRenderer* renderer, bool onlyVisible)
+{
+#if VTKNBUFFER_TEST_HAS_RENDERINGLABEL
+  const auto points = MakePoints();
+  vtkNew<vtkSelectVisiblePoints> visible;
+  visible->SetInputConnection(points->GetOutputPort());
+  visible->SetRenderer(renderer);
+  vtkNew<vtkLabeledDataMapper> mapper;
+  mapper->SetInputConnection(onlyVisible ? visible->GetOutputPort() : points->GetOutputPort());
+  mapper->SetLabelModeToLabelIds();
+  return MakeLabels(mapper);
+#else
+  (void)renderer, (void)onlyVisible;
+  return nullptr;
+#endif
+}
+
+/// Labels that are chosen and drawn in the last stage, when all depth is there.
+vtkSmartPointer<vtkProp> MakePlacedLabels(vtkRenderer* renderer)
+{
+#if VTKNBUFFER_TEST_HAS_RENDERINGLABEL
+  const auto points = MakePoints();
+  vtkNew<vtkSelectVisiblePoints> visible;
+  visible->SetInputConnection(points->GetOutputPort());
+  visible->SetRenderer(renderer);
+  vtkNew<vtkPointSetToLabelHierarchy> hierarchy;
+  hierarchy->SetInputConnection(visible->GetOutputPort());
+  vtkNew<vtkLabelPlacementMapper> mapper;
+  mapper->SetInputConnection(hierarchy->GetOutputPort());
+  return MakeLabels(mapper);
+#else
+  (void)renderer;
+  return nullptr;
+#endif
+}
+
+/// Labels that are drawn in space, in the opaque stage.
+vtkSmartPointer<vtkProp> MakeBatchedLabels(vtkRenderer*)
+{
+#if VTKNBUFFER_TEST_HAS_BATCHED_LABELS
+  const auto points = MakePoints();
+  points->Update();
+  vtkNew<vtkBatchedLabeledDataMapper> mapper;
+  mapper->SetInputConnection(points->GetOutputPort());
+  mapper->SetLabelModeToLabelIds();
+  return MakeLabels(mapper);
+#else
+  return nullptr;
+#endif
+}
+
+class CullerDrawOrder : public testing::TestWithParam<Ordered>
+{
+};
+}
+
+// Hazard: a prop that is drawn late, before a prop in the list that blends in the opaque stage or
+// reads the depth there.
+TEST_P(CullerDrawOrder, IsThatOfTheList)
+{
+  int last = -1;
+  bool isMissing = false;
+  Comparison comparison(
+    [&](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      const vtkSmartPointer<vtkProp> prop = GetParam().MakeProp(stage.GetRenderer());
+      isMissing = !prop;
+      if (prop)
+      {
+        stage.Add(prop);
+      }
+      last = Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    });
+  if (isMissing)
+  {
+    GTEST_SKIP() << "this VTK comes without such a prop";
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    comparison.Frame(
+      [i](Stage& stage)
+      {
+        Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 9.0 : -2.0 * i);
+        stage.GetActor(Wall::Index)->SetPosition(4.0 * (i % 3), 0.0, 0.0);
+      });
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    EXPECT_GT(comparison.GetHidden(), 0);
+    EXPECT_EQ(comparison.GetVerdict(last) == Verdict::Blended, GetParam().NeedsOrder) << i;
+  }
+}
+
+// Hazard: the verdicts of a frame are used again for one in which a slice begins to blend. (Its
+// image comes from a filter, and nothing but the pipeline has changed.)
+TEST(CullerDrawOrderOnce, BeginsToMatterWhileTheCameraStandsStill)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      stage.Add(Slice([](vtkImageSlice*) {})(stage.GetRenderer()));
+      Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    });
+  const int last = static_cast<int>(comparison.Culled.Props.size()) - 1;
+  for (const int components : { 1, 4, 1 })
+  {
+    comparison.Both(
+      [&](Stage& stage)
+      {
+        auto* slice = vtkImageSlice::SafeDownCast(stage.Props[last - 1]);
+        vtkImageSliceMapper::SafeDownCast(slice->GetMapper())->SetInputData(MakeImage(components));
+      });
+    for (int i = 0; i < 3; ++i)
+    {
+      comparison.Frame();
+      EXPECT_EQ(comparison.GetVerdict(last) == Verdict::Blended, components == 4) << i;
+    }
+  }
+}
+
+namespace
+{
+const Ordered Cases[] = {
+  { "OpaqueSlice", Slice([](vtkImageSlice*) {}), false },
+  { "FaintSlice", Slice([](vtkImageSlice* slice) { slice->GetProperty()->SetOpacity(0.5); }) },
+  { "FaintSliceInTheTranslucentStage",
+    Slice(
+      [](vtkImageSlice* slice)
+      {
+        slice->GetProperty()->SetOpacity(0.5);
+        slice->ForceTranslucentOn();
+      }),
+    false },
+  { "SliceWithAlpha", Slice([](vtkImageSlice*) {}, 4) },
+  { "SliceWithColors", Slice([](vtkImageSlice*) {}, 3), false },
+  { "SliceWithLookupTable", Slice(&SetTable) },
+  { "Reslice", MakeReslice },
+  { "Stack", MakeStack },
+  { "ImageActor", MakeImageActor },
+  { "Text", MakeTextInSpace },
+  { "Billboard", MakeBillboard },
+  { "Flagpole", MakeFlagpole },
+  { "Contours", MakeContours },
+  { "Labels", [](vtkRenderer* renderer) { return MakeLabeledPoints(renderer, false); }, false },
+  { "LabelsOfVisiblePoints",
+    [](vtkRenderer* renderer) { return MakeLabeledPoints(renderer, true); } },
+  { "PlacedLabels", MakePlacedLabels, false },
+  { "BatchedLabels", MakeBatchedLabels },
+};
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerDrawOrder, testing::ValuesIn(Cases), GetCaseName);
