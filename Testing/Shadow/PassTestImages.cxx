@@ -59,6 +59,7 @@ public:
     return 0;
   }
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return false; }
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 0; }
   int RenderOverlay(vtkViewport*) override { return 0; }
 };
 vtkStandardNewMacro(PointLabels);
