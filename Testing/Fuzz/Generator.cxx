@@ -120,7 +120,9 @@ void MakeMaterials(Writer& writer)
   for (Prop& prop : writer.Scene.Props)
   {
     const bool hasBlocks = writer.Scene.Seed % 8 == 1 && prop.Id % 2 == 0;
-    prop.Kind = prop.Kind == PropKind::Actor && hasBlocks ? PropKind::Composite : prop.Kind;
+    const bool isSlice = writer.Scene.Seed % 16 == 6 && prop.Id % 8 == 5;
+    const PropKind other = isSlice ? PropKind::Slice : PropKind::Composite;
+    prop.Kind = prop.Kind == PropKind::Actor && (isSlice || hasBlocks) ? other : prop.Kind;
   }
   // These take long to draw in software, or their shaders to compile.
   if (writer.Chance(0.01))

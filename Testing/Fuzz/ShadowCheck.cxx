@@ -164,7 +164,7 @@ bool HasReadableReceivers(const Player& stage)
     [](const Prop& prop)
     {
       return prop.Kind == PropKind::Text || prop.Kind == PropKind::Billboard ||
-        prop.Kind == PropKind::Volume;
+        prop.Kind == PropKind::Volume || prop.Kind == PropKind::Slice;
     });
   return onlySurfaces && stage.GetNumberOfRenderers() == 1 && stage.GetLights().GetPass(0) &&
     window->GetMultiSamples() <= 1 && !window->GetStereoRender();

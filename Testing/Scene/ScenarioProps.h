@@ -82,10 +82,11 @@ enum class PropKind
   Billboard,
   Text,
   NoMapper,
-  NoBounds ///< Draws nothing and has no bounds.
+  NoBounds, ///< Draws nothing and has no bounds.
+  Slice     ///< An image across the middle of the shape, which blends in the opaque stage.
 };
 NBUFFER_SCENE_NAMES(PropKind, "Actor", "Piped", "DataSet", "Composite", "Assembly", "Follower",
-  "Glyphs", "Splats", "LOD", "Volume", "Billboard", "Text", "NoMapper", "NoBounds");
+  "Glyphs", "Splats", "LOD", "Volume", "Billboard", "Text", "NoMapper", "NoBounds", "Slice");
 
 enum class Representation
 {

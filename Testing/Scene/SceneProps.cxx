@@ -20,6 +20,9 @@
 #include "vtkFollower.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
+#include "vtkImageProperty.h"
+#include "vtkImageSlice.h"
+#include "vtkImageSliceMapper.h"
 #include "vtkLODProp3D.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
@@ -374,6 +377,29 @@ vtkSmartPointer<vtkProp3D> MakeLOD(const Prop& prop)
   return lod;
 }
 
+vtkSmartPointer<vtkProp3D> MakeSlice(const Prop& prop)
+{
+  constexpr int side = 8;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(side, side, 1);
+  const glm::dvec3 spacing = prop.Shape.Size / static_cast<double>(side);
+  image->SetSpacing(spacing.x, spacing.y, 1.0);
+  const glm::dvec3 corner = prop.Shape.Center - 0.5 * prop.Shape.Size;
+  image->SetOrigin(corner.x, corner.y, prop.Shape.Center.z);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* value = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < side * side; ++i)
+  {
+    value[i] = static_cast<unsigned char>(29 * (i + prop.Id));
+  }
+  vtkNew<vtkImageSliceMapper> mapper;
+  mapper->SetInputData(image);
+  auto slice = vtkSmartPointer<vtkImageSlice>::New();
+  slice->SetMapper(mapper);
+  slice->GetProperty()->SetOpacity(0.5);
+  return slice;
+}
+
 vtkSmartPointer<vtkProp3D> MakeProp3D(const Prop& prop, vtkCamera* camera)
 {
   switch (prop.Kind)
@@ -384,6 +410,8 @@ vtkSmartPointer<vtkProp3D> MakeProp3D(const Prop& prop, vtkCamera* camera)
       return MakeLOD(prop);
     case PropKind::Volume:
       return MakeVolume(prop);
+    case PropKind::Slice:
+      return MakeSlice(prop);
     case PropKind::Billboard:
     {
       auto text = vtkSmartPointer<vtkBillboardTextActor3D>::New();
