@@ -395,8 +395,12 @@ TEST(NBufferContest, TheFasterWayWinsForATerm)
     EXPECT_FALSE(contest.IsTimed());
     contest.CountFrame(0.0);
   }
-  EXPECT_EQ(RunContest(contest, 2.0, 2.0), vtkNBufferContest::FramesOfEach);
-  EXPECT_TRUE(contest.UsesFirst()) << "with equal times";
+  for (const auto& [first, wins] : { std::pair(97.0, true), { 99.0, false }, { 100.0, false } })
+  {
+    vtkNBufferContest close;
+    EXPECT_EQ(RunContest(close, first, 100.0), vtkNBufferContest::FramesOfEach);
+    EXPECT_EQ(close.UsesFirst(), wins) << first;
+  }
 }
 
 // Hazard: one frame that something else has made slow decides.

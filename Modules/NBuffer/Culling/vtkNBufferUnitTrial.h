@@ -29,9 +29,10 @@ struct vtkNBufferStatistics;
 /**
  * Compares the times of two ways of drawing. A contest begins with a few frames in the first way;
  * then both take turns. Only the last frames of each are timed, because a frame depends on what was
- * learned in earlier frames. The faster way is then used for a term of many frames, after which the
- * next contest begins. The term is so long that the contest has made all these frames slower by
- * 0.5 % at most, as long as it need not be longer than LongestTerm. No OpenGL.
+ * learned in earlier frames. The faster way, or the second one if the first is not faster by 2 %,
+ * is then used for a term of many frames, after which the next contest begins. The term is so long
+ * that the contest has made all these frames slower by 0.5 % at most, as long as it need not be
+ * longer than LongestTerm. No OpenGL.
  */
 class VTKNBUFFER_EXPORT vtkNBufferContest
 {
