@@ -189,6 +189,8 @@ MUTANTS = {
         ("vtkNBufferListMaker.cxx", "props + std::min(firstBlended, kept)", "props + kept")],
     "props after one that blends held back": [
         ("vtkNBufferPartition.cxx", "if (i >= firstBlended && ", "if (i == firstBlended && ")],
+    "slices of images count as opaque": [
+        ("vtkNBufferDrawOrder.cxx", "property->GetOpacity() < 1.0 || ", "")],
     "props that blend drawn again for their depth": [
         ("vtkNBufferLateDraws.cxx",
          "std::min(this->Props.GetSize(), partition.GetFirstBlended())",
