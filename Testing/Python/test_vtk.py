@@ -5,7 +5,10 @@
 import inspect
 import itertools
 import json
+import pathlib
 import re
+import subprocess
+import sys
 
 import pytest
 
@@ -236,3 +239,22 @@ for name in {order!r}:
     programs["nothing is dropped"] = f"{begin}\nshadows = vtknbuffer.vtkShadowVolumeClampPass()"
     check_that_all_end("import vtknbuffer\nfrom conftest import look, make_window, renderers_of",
                        programs)
+
+
+def test_scripts_of_others_are_compared(tmp_path):
+    """compare_scripts.py finds no difference in an example, and one where there is one."""
+    source = pathlib.Path(__file__).resolve().parents[2]
+    text = (source / "Examples/Python/plain_vtk.py").read_text().replace("range(10000)", "range(99)")
+    # The script's culler is removed after the eight frames without a wall.
+    honest, liar = tmp_path / "honest.py", tmp_path / "liar.py"
+    honest.write_text(text)
+    liar.write_text(text.replace("window.Render()", """
+renderer.AddObserver(
+    "StartEvent", lambda *_: renderer.SetBackground(float(culler.GetEnabled()), 0.0, 0.0))
+window.Render()
+"""))
+    compare = [sys.executable, source / "Testing/Python/compare_scripts.py"]
+    done = subprocess.run([*compare, honest], capture_output=True, text=True)
+    assert done.returncode == 0 and "16 frames, 0 frames that differ" in done.stdout
+    done = subprocess.run([*compare, honest, liar], capture_output=True, text=True)
+    assert done.returncode == 1 and "liar.py: 8 of 16 frames differ" in done.stdout

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compares the images of scripts of others with and without the culler, such as VTK's own tests.
+
+    compare_scripts.py [--data FOLDER] SCRIPT...
+    compare_scripts.py --data vtk-data vtk/*/*/Testing/Python/*.py    # VTK's sources and data
+
+Each script runs in a process of its own, with the package vtknbuffer. Where it calls Render(), its
+window is also drawn from other sides, with a wall in front of a half of the view and without, and
+each image is compared with that of the same frame without the culler, byte for byte. Windows whose
+images differ from frame to frame without the culler are left out, and so are scripts that fail.
+The exit status is 1 if an image differs.
+"""
+
+import argparse
+import collections
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+SETTINGS = {"minimum_number_of_candidates": 1, "back_off": 0, "minimum_number_of_primitives": 64,
+            "divide_after": 1, "divide_in_background": 0, "time_units": 0}
+SIDES = 8
+WINDOWS = 4  # of a script
+
+
+def draw(window):
+    """Render, and return the size and the colours of the image."""
+    import vtkmodules.all as vtk
+
+    window.Render()
+    width, height = window.GetSize()
+    colors = vtk.vtkUnsignedCharArray()
+    window.GetPixelData(0, 0, width - 1, height - 1, 1, colors, 0)
+    return width, height, bytes(memoryview(colors))
+
+
+def make_wall(renderer):
+    """Return an actor of a wall in front of the left half of what the camera sees."""
+    import vtkmodules.all as vtk
+
+    camera = renderer.GetActiveCamera()
+    matrix = vtk.vtkMatrix4x4()
+    matrix.DeepCopy(camera.GetCompositeProjectionTransformMatrix(
+        renderer.GetTiledAspectRatio(), 0.0, 1.0))
+    matrix.Invert()
+    corners = [matrix.MultiplyPoint((x, y, 0.1, 1.0)) for x, y in ((-1, -1), (0, -1), (-1, 1))]
+    wall = vtk.vtkPlaneSource()
+    for set_corner, corner in zip((wall.SetOrigin, wall.SetPoint1, wall.SetPoint2), corners):
+        set_corner([value / corner[3] for value in corner[:3]])
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(wall.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def compare(window, counts):
+    """Compare a window from several sides, with and without a wall, and restore it."""
+    import vtkmodules.all as vtk
+    import vtknbuffer
+
+    renderers = [renderer for renderer in vtknbuffer._renderers(window)
+                 if renderer.IsA("vtkOpenGLRenderer") and renderer.IsActiveCameraCreated()]
+    if not renderers or draw(window) != draw(window):
+        return
+    cameras = []
+    for renderer in renderers:
+        cameras.append(vtk.vtkCamera())
+        cameras[-1].DeepCopy(renderer.GetActiveCamera())
+    for has_walls in (False, True):
+        walls = [make_wall(renderer) for renderer in renderers if has_walls]
+        for renderer, wall in zip(renderers, walls):
+            renderer.AddViewProp(wall)
+        cullers = [vtknbuffer.enable(renderer, **SETTINGS) for renderer in renderers]
+        for side in range(SIDES):
+            for renderer in renderers if side % 3 else ():
+                renderer.GetActiveCamera().Azimuth(11.0 + 2.0 * side)
+                renderer.ResetCameraClippingRange()
+            images = []
+            for enabled in (True, False, False):
+                for culler in cullers:
+                    culler.SetEnabled(enabled)
+                images.append(draw(window))
+                for culler in cullers if enabled else ():
+                    statistics = json.loads(culler.GetStatisticsAsJSON())
+                    counts["props hidden"] += statistics["verdicts"]["Hidden"]
+                    counts["units hidden"] += statistics["units_hidden"]
+            if images[1] == images[2]:
+                counts["frames"] += 1
+                counts["frames that differ"] += images[0] != images[1]
+        for renderer, culler in zip(renderers, cullers):
+            renderer.GetCullers().RemoveItem(culler)
+        for renderer, wall in zip(renderers, walls):
+            renderer.RemoveViewProp(wall)
+    for renderer, camera in zip(renderers, cameras):
+        renderer.GetActiveCamera().DeepCopy(camera)
+
+
+def run(script, data, result):
+    """Run a script in this process, which ends then, and write what was counted."""
+    import vtkmodules.util.misc
+
+    counts = collections.Counter()
+    compared = []
+
+    def render(rendered):
+        rendered.Render()
+        window = rendered
+        if not hasattr(window, "GetRenderers") and hasattr(window, "GetRenderWindow"):
+            window = window.GetRenderWindow()
+        if hasattr(window, "GetRenderers") and window not in compared and len(compared) < WINDOWS:
+            compared.append(window)
+            compare(window, counts)
+
+    text = script.read_text(encoding="utf-8", errors="replace")
+    text = re.sub(r"([A-Za-z_][\w.\[\]]*)\.Render\(\)", r"_compare_render(\1)", text)
+    text = re.sub(r"[A-Za-z_][\w.]*\.Start\(\)", "None", text)  # of an interactor
+    vtkmodules.util.misc.vtkGetDataRoot = lambda: str(data)
+    sys.argv = [str(script)]
+    sys.path.insert(0, str(script.parent))
+    try:
+        exec(compile(text, script, "exec"),
+             {"__name__": "__main__", "__file__": str(script), "_compare_render": render})
+    except SystemExit:
+        pass
+    finally:
+        result.write_text(json.dumps(counts))
+        os._exit(0)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("scripts", type=pathlib.Path, nargs="+", metavar="SCRIPT")
+    parser.add_argument("--data", type=pathlib.Path, default=pathlib.Path(), metavar="FOLDER",
+                        help="what vtkGetDataRoot() returns to the scripts")
+    parser.add_argument("--result", type=pathlib.Path, help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.result:
+        run(options.scripts[0].resolve(), options.data.resolve(), options.result)
+    total = collections.Counter()
+    for script in options.scripts:
+        with tempfile.TemporaryDirectory() as folder:
+            result = pathlib.Path(folder) / "counts.json"
+            command = [sys.executable, __file__, script.resolve(), "--data",
+                       options.data.resolve(), "--result", result]
+            try:
+                subprocess.run(command, cwd=folder, capture_output=True, timeout=120,
+                               stdin=subprocess.DEVNULL)
+            except subprocess.TimeoutExpired:
+                pass
+            counts = json.loads(result.read_text()) if result.exists() else {}
+        total.update(counts)
+        total["scripts"] += counts.get("frames", 0) > 0
+        if counts.get("frames that differ"):
+            print(f"{script}: {counts['frames that differ']} of {counts['frames']} frames differ",
+                  flush=True)
+    print(", ".join(f"{count} {what}" for what, count in total.items()))
+    sys.exit(total["frames that differ"] > 0)
+
+
+if __name__ == "__main__":
+    main()
