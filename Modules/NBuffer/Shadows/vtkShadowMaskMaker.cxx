@@ -286,13 +286,13 @@ double vtkShadowMaskMaker::EstimateLitmaps(const Work& work, long long covered) 
 bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost)
 {
   cost.WholeEstimate = this->Trials.Whole * work.LightVolumes.Estimate.GetTime();
-  const auto pay = [&](long long covered)
+  const auto isWorthIt = [&](long long covered)
   {
     cost.LitmapEstimate = this->EstimateLitmaps(work, covered);
     return vtkShadowCostModel::IsLitmapWorthIt(cost.WholeEstimate, cost.LitmapEstimate);
   };
   const auto samples = static_cast<long long>(this->GetNumberOfSamples());
-  return pay(samples) || (pay(0) && pay(this->EstimateCovered(work)));
+  return isWorthIt(samples) || (isWorthIt(0) && isWorthIt(this->EstimateCovered(work)));
 }
 
 bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
