@@ -41,7 +41,7 @@ bool HasOpaqueColors(vtkImageSlice* slice)
   {
     return false;
   }
-  mapper->Update();
+  slice->Update();
   const int components = mapper->GetInput()->GetNumberOfScalarComponents();
   return components == 1 || components == 3;
 }

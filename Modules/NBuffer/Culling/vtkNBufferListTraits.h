@@ -42,8 +42,7 @@ struct vtkNBufferListTraits
 
   /// The place of the first prop that may be blended in the opaque stage, so that it and all props
   /// after it have to be drawn in their order, after all props before it. VTK_INT_MAX if there is
-  /// none.
-  /// `smoothLines` is that of vtkNBufferCompatibility::DrawingSettings.
+  /// none. `smoothLines` is that of vtkNBufferCompatibility::DrawingSettings.
   int GetFirstBlended(bool smoothLines) const
   {
     return std::min(

@@ -16,8 +16,9 @@ bool vtkNBufferStillness::BeginFrame(vtkRenderer* renderer, const vtkNBufferSett
     std::exchange(this->ErasesDepth, vtkNBufferCompatibility::ErasesDepth(renderer));
   const int first =
     std::exchange(this->FirstBlended, traits.GetFirstBlended(this->Drawing.SmoothLines));
-  changed = changed || this->FirstBlended != first || !(this->Drawing == drawing) || this->TestSlivers != slivers ||
-    this->IsShared != wasShared || this->ErasesDepth != erased || this->ChangedWhileFrozen;
+  changed = changed || this->FirstBlended != first || !(this->Drawing == drawing) ||
+    this->TestSlivers != slivers || this->IsShared != wasShared || this->ErasesDepth != erased ||
+    this->ChangedWhileFrozen;
   this->ChangedWhileFrozen = frozen && changed;
   this->Same = !changed && this->ErasesDepth && !traits.UntrackedDepth;
   return this->Same;
