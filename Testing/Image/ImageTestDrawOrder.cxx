@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Props that show, or read, what the opaque stage has drawn before them: slices of images, texts
+// Props that show, or read, what the opaque stage has drawn before them: shaders, images, texts
 // and labels.
 #include "CullerTest.h"
 #include "Scenes.h"
@@ -23,6 +23,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkSelectVisiblePoints.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
 
@@ -45,6 +46,7 @@
 #endif
 
 #include <functional>
+#include <string>
 
 using Scenes::Wall;
 
@@ -85,6 +87,21 @@ Make Slice(const std::function<void(vtkImageSlice*)>& change, int components = 1
     slice->SetMapper(mapper);
     change(slice);
     return slice;
+  };
+}
+
+/// A box in front of the wall, with shader code of an application at the end of its shading.
+Make Shaded(const std::string& code)
+{
+  return [code](vtkRenderer*)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(Scenes::MakeBox({ 0.0, 0.0, 6.0 }, { 12.0, 8.0, 0.2 }));
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true, "//VTK::Light::Impl\n" + code + "\n", false);
+    return actor;
   };
 }
 
@@ -347,6 +364,8 @@ TEST(CullerDrawOrderOnce, BeginsToMatterWhileTheCameraStandsStill)
 namespace
 {
 const Ordered Cases[] = {
+  { "ShaderWithOpacity", Shaded("  fragOutput0.a = 0.5;") },
+  { "ShaderWithDepth", Shaded("  gl_FragDepth = 0.1;"), false },
   { "OpaqueSlice", Slice([](vtkImageSlice*) {}), false },
   { "FaintSlice", Slice([](vtkImageSlice* slice) { slice->GetProperty()->SetOpacity(0.5); }) },
   { "FaintSliceInTheTranslucentStage",

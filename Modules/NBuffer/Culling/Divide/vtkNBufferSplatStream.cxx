@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSplatStream.h"
 
+#include "vtkNBufferDrawOrder.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
@@ -18,42 +19,12 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// Whether shader code of the application may make splats translucent.
-bool SetsOpacity(const std::string& code)
-{
-  const char* const names[] = { "opacity", "Frag", "frag", "#", "\\" };
-  return std::any_of(std::begin(names), std::end(names),
-    [&code](const char* name) { return code.find(name) != std::string::npos; });
-}
-
-bool HasText(const char* text)
-{
-  return text && *text != '\0';
-}
-}
-
 vtkOpenGLPolyDataMapper* vtkNBufferSplatStream::GetHelper(vtkAbstractMapper* mapper)
 {
   // The class is private before VTK 9.4. Subclasses may draw anything.
   return std::strcmp(mapper->GetClassName(), "vtkOpenGLPointGaussianMapperHelper") == 0
     ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
     : nullptr;
-}
-
-bool vtkNBufferSplatStream::Blends(vtkActor* actor)
-{
-  auto* mapper = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
-  if (!mapper || !actor->HasOpaqueGeometry())
-  {
-    return false;
-  }
-  // Without code of the application, the opacity of a splat falls with the distance from its
-  // middle.
-  const char* code = mapper->GetSplatShaderCode();
-  const bool isFaint = mapper->GetScaleFactor() != 0.0 && (!HasText(code) || SetsOpacity(code));
-  return mapper->GetEmissive() || HasText(mapper->GetOpacityArray()) || isFaint;
 }
 
 bool vtkNBufferSplatStream::DrawsSplats(vtkActor* actor)
@@ -75,7 +46,7 @@ bool vtkNBufferSplatStream::MayBeDivided(vtkActor* actor)
     return false;
   }
   auto* mapper = static_cast<vtkPointGaussianMapper*>(actor->GetMapper());
-  return mapper->GetScaleFactor() == 0.0 && !Blends(actor) &&
+  return mapper->GetScaleFactor() == 0.0 && !vtkNBufferDrawOrder::MattersTo(actor) &&
     !vtkNBufferSurface::HasOtherCoordinates(actor) &&
     !vtkNBufferSurface::HasOffsetTowardsEye(actor, true) &&
     vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), true) &&

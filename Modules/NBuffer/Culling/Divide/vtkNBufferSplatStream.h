@@ -11,7 +11,7 @@
  *
  * Only splats with the scale factor 0, drawn as opaque points, are divided. Splats with a radius
  * are blended among opaque props, with the depth of the whole splat, so that what is drawn before
- * them shows through (Blends()).
+ * them shows through (vtkNBufferDrawOrder.h).
  */
 #ifndef vtkNBufferSplatStream_h
 #define vtkNBufferSplatStream_h
@@ -29,11 +29,6 @@ namespace vtkNBufferSplatStream
 {
 /// The mapper if it is the helper that draws splats, otherwise nullptr.
 vtkOpenGLPolyDataMapper* GetHelper(vtkAbstractMapper* mapper);
-
-/// Whether an actor draws splats in the opaque stage that are blended with what has been drawn
-/// before: emissive ones, those that are less opaque at their borders, and those with an array of
-/// opacities.
-bool Blends(vtkActor* actor);
 
 /// Whether the actor has a vtkPointGaussianMapper that draws one polydata.
 bool DrawsSplats(vtkActor* actor);

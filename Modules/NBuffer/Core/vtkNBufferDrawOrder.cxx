@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferDrawOrder.h"
 
-#include "vtkNBufferSplatStream.h"
+#include "vtkNBufferProtectedMembers.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -13,10 +13,16 @@
 #include "vtkImageSliceMapper.h"
 #include "vtkMapper.h"
 #include "vtkMapper2D.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkProperty.h"
 #include "vtkSelectVisiblePoints.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextActor3D.h"
 #include "vtkTexture.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -30,6 +36,48 @@ bool IsForcedToBeOpaque(vtkActor* actor)
   return actor->GetForceOpaque() &&
     (actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
       (mapper && mapper->HasTranslucentPolygonalGeometry()) || actor->IsA("vtkFlagpoleLabel"));
+}
+
+/// Whether shader code of the application may set the opacity of fragments. Code may put a name
+/// together from parts (# and \\).
+bool SetsOpacity(const std::string& code)
+{
+  const char* const names[] = { "opacity", "FragData", "fragOutput", "#", "\\" };
+  return std::any_of(std::begin(names), std::end(names),
+    [&code](const char* name) { return code.find(name) != std::string::npos; });
+}
+
+/// Whether shader code of the application may make the fragments of an opaque actor translucent.
+bool HasShadersWithOpacity(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = vtkNBufferProtectedMembers::GetShaderProperty(actor);
+  bool setsOpacity = shaders && shaders->HasFragmentShaderCode();
+  for (int i = 0; shaders && i < shaders->GetNumberOfShaderReplacements(); ++i)
+  {
+    std::string name;
+    std::string code;
+    bool isFirst;
+    bool isForAll;
+    shaders->GetNthShaderReplacement(i, name, isFirst, code, isForAll);
+    setsOpacity = setsOpacity ||
+      (shaders->GetNthShaderReplacementTypeAsString(i) == "Fragment" && SetsOpacity(code));
+  }
+  return setsOpacity && actor->HasOpaqueGeometry();
+}
+
+/// Whether an actor draws splats that blend in the opaque stage. Without code of the application,
+/// the opacity of a splat falls with the distance from its middle.
+bool DrawsFaintSplats(vtkActor* actor)
+{
+  const auto hasText = [](const char* text) { return text && *text != '\0'; };
+  auto* mapper = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
+  if (!mapper || !actor->HasOpaqueGeometry())
+  {
+    return false;
+  }
+  const char* code = mapper->GetSplatShaderCode();
+  const bool isFaint = mapper->GetScaleFactor() != 0.0 && (!hasText(code) || SetsOpacity(code));
+  return mapper->GetEmissive() || hasText(mapper->GetOpacityArray()) || isFaint;
 }
 
 /// Whether all colors of a slice are opaque. Lookup tables and other mappers may make an alpha.
@@ -70,7 +118,7 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
     vtkMapper* mapper = actor->GetMapper();
-    return IsForcedToBeOpaque(actor) || vtkNBufferSplatStream::Blends(actor) ||
+    return IsForcedToBeOpaque(actor) || HasShadersWithOpacity(actor) || DrawsFaintSplats(actor) ||
       (mapper && mapper->IsA("vtkLabeledContourMapper"));
   }
   if (auto* slice = vtkImageSlice::SafeDownCast(prop))

@@ -8,9 +8,11 @@
  * shows that if one of them
  *
  *  - blends in the opaque stage. Actors and texts do if the application forces them to be opaque,
- *    and splats may (vtkNBufferSplatStream::Blends()). VTK draws slices of images there, whatever
- *    their opacity (vtkImageSlice::HasTranslucentPolygonalGeometry()), and the labels of
- *    vtkLabeledContourMapper and vtkBatchedLabeledDataMapper;
+ *    or if its shader code sets the opacity of fragments. So do splats of vtkPointGaussianMapper
+ *    that are emissive, less opaque at their borders, or have an array of opacities. VTK draws
+ *    slices of images there, whatever their opacity
+ *    (vtkImageSlice::HasTranslucentPolygonalGeometry()), and the labels of vtkLabeledContourMapper
+ *    and vtkBatchedLabeledDataMapper;
  *  - reads the depth there. vtkLabeledDataMapper updates its pipeline while it is drawn, and
  *    vtkSelectVisiblePoints in that pipeline compares points with what the window has drawn so far.
  */
