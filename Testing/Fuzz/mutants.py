@@ -190,7 +190,8 @@ MUTANTS = {
     "props after one that blends held back": [
         ("vtkNBufferPartition.cxx", "if (i >= firstBlended && ", "if (i == firstBlended && ")],
     "slices of images count as opaque": [
-        ("vtkNBufferDrawOrder.cxx", "property->GetOpacity() < 1.0 || ", "")],
+        ("vtkNBufferDrawOrder.cxx", "GetInput() || property->GetOpacity() < 1.0 ||",
+         "GetInput() ||")],
     "props that blend drawn again for their depth": [
         ("vtkNBufferLateDraws.cxx",
          "std::min(this->Props.GetSize(), partition.GetFirstBlended())",

@@ -21,11 +21,13 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkSelectVisiblePoints.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
+#include "vtkTexture.h"
 
 #if __has_include("vtkFlagpoleLabel.h")
 #define VTKNBUFFER_TEST_HAS_FLAGPOLES 1
@@ -90,26 +92,85 @@ Make Slice(const std::function<void(vtkImageSlice*)>& change, int components = 1
   };
 }
 
-/// A box in front of the wall, with shader code of an application at the end of its shading.
-Make Shaded(const std::string& code)
+/// A pane in front of the wall, changed.
+Make Pane(const std::function<void(vtkActor*)>& change)
 {
-  return [code](vtkRenderer*)
+  return [change](vtkRenderer*)
   {
+    vtkNew<vtkPlaneSource> pane;
+    pane->SetOrigin(-6.0, -4.0, 6.0);
+    pane->SetPoint1(6.0, -4.0, 6.0);
+    pane->SetPoint2(-6.0, 4.0, 6.0);
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(Scenes::MakeBox({ 0.0, 0.0, 6.0 }, { 12.0, 8.0, 0.2 }));
+    mapper->SetInputConnection(pane->GetOutputPort());
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
-    actor->GetShaderProperty()->AddFragmentShaderReplacement(
-      "//VTK::Light::Impl", true, "//VTK::Light::Impl\n" + code + "\n", false);
+    change(actor);
     return actor;
   };
 }
 
+/// The pane with shader code of an application at the end of its shading.
+Make Shaded(const std::string& code)
+{
+  return Pane(
+    [code](vtkActor* actor)
+    {
+      actor->GetShaderProperty()->AddFragmentShaderReplacement(
+        "//VTK::Light::Impl", true, "//VTK::Light::Impl\n" + code + "\n", false);
+    });
+}
+
+/// The pane with this opacity of its back faces, which are seen.
+Make BackFaces(double opacity)
+{
+  return Pane(
+    [opacity](vtkActor* actor)
+    {
+      actor->RotateY(180.0);
+      actor->SetPosition(0.0, 0.0, 12.0);
+      vtkNew<vtkProperty> back;
+      back->SetOpacity(opacity);
+      actor->SetBackfaceProperty(back);
+    });
+}
+
+/// The pane with a texture of this many components as the color of physically based shading.
+Make BaseColor(int components)
+{
+  return Pane(
+    [components](vtkActor* actor)
+    {
+      vtkNew<vtkTexture> texture;
+      texture->SetInputData(MakeImage(components));
+      texture->UseSRGBColorSpaceOn();
+      actor->GetProperty()->SetInterpolationToPBR();
+      actor->GetProperty()->SetBaseColorTexture(texture);
+    });
+}
+
+vtkSmartPointer<vtkLookupTable> MakeTable()
+{
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetAlphaRange(0.2, 0.9);
+  table->SetRange(0.0, 255.0);
+  table->Build();
+  return table;
+}
+
+/// The pane with a texture whose colors come from a lookup table.
+void SetMappedTexture(vtkActor* actor)
+{
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(MakeImage());
+  texture->SetLookupTable(MakeTable());
+  texture->SetColorModeToMapScalars();
+  actor->SetTexture(texture);
+}
+
 void SetTable(vtkImageSlice* slice)
 {
-  vtkNew<vtkLookupTable> table;
-  table->SetAlphaRange(0.2, 0.9);
-  slice->GetProperty()->SetLookupTable(table);
+  slice->GetProperty()->SetLookupTable(MakeTable());
 }
 
 /// Such a mapper leaves what is outside of the image transparent.
@@ -364,6 +425,12 @@ TEST(CullerDrawOrderOnce, BeginsToMatterWhileTheCameraStandsStill)
 namespace
 {
 const Ordered Cases[] = {
+  { "OpaquePane", Pane([](vtkActor*) {}), false },
+  { "FaintBackFaces", BackFaces(0.5) },
+  { "OpaqueBackFaces", BackFaces(1.0), false },
+  { "FaintBaseColor", BaseColor(4) },
+  { "OpaqueBaseColor", BaseColor(3), false },
+  { "MappedTexture", Pane(&SetMappedTexture) },
   { "ShaderWithOpacity", Shaded("  fragOutput0.a = 0.5;") },
   { "ShaderWithDepth", Shaded("  gl_FragDepth = 0.1;"), false },
   { "OpaqueSlice", Slice([](vtkImageSlice*) {}), false },

@@ -15,6 +15,7 @@
 #include "vtkMapper2D.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
 #include "vtkSelectVisiblePoints.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextActor3D.h"
@@ -27,15 +28,25 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Whether an actor is opaque by force, and translucent if nothing is forced (see
-/// vtkActor::HasTranslucentPolygonalGeometry()).
-bool IsForcedToBeOpaque(vtkActor* actor)
+/// Whether the colors of a texture have an alpha below 1. VTK does not look at those that it maps.
+bool IsFaint(vtkTexture* texture)
 {
-  vtkTexture* texture = actor->GetTexture();
+  vtkScalarsToColors* table = texture ? texture->GetLookupTable() : nullptr;
+  return texture && (texture->IsTranslucent() || (table && !table->IsOpaque()));
+}
+
+/// Whether an actor that is opaque (vtkActor::HasOpaqueGeometry()), which may be by force, has
+/// colors with an alpha below 1. VTK does not look at back faces, nor at the base color's texture.
+bool HasFaintColors(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  vtkProperty* back = actor->GetBackfaceProperty();
   vtkMapper* mapper = actor->GetMapper();
-  return actor->GetForceOpaque() &&
-    (actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
-      (mapper && mapper->HasTranslucentPolygonalGeometry()) || actor->IsA("vtkFlagpoleLabel"));
+  const bool isForced = actor->GetForceOpaque() &&
+    (property->GetOpacity() < 1.0 || (mapper && mapper->HasTranslucentPolygonalGeometry()) ||
+      actor->IsA("vtkFlagpoleLabel"));
+  return isForced || (back && back->GetOpacity() < 1.0) || IsFaint(actor->GetTexture()) ||
+    (property->GetInterpolation() == VTK_PBR && IsFaint(property->GetTexture("albedoTex")));
 }
 
 /// Whether shader code of the application may set the opacity of fragments. Code may put a name
@@ -47,7 +58,7 @@ bool SetsOpacity(const std::string& code)
     [&code](const char* name) { return code.find(name) != std::string::npos; });
 }
 
-/// Whether shader code of the application may make the fragments of an opaque actor translucent.
+/// Whether shader code of the application may make the fragments of an actor translucent.
 bool HasShadersWithOpacity(vtkActor* actor)
 {
   vtkShaderProperty* shaders = vtkNBufferProtectedMembers::GetShaderProperty(actor);
@@ -62,16 +73,16 @@ bool HasShadersWithOpacity(vtkActor* actor)
     setsOpacity = setsOpacity ||
       (shaders->GetNthShaderReplacementTypeAsString(i) == "Fragment" && SetsOpacity(code));
   }
-  return setsOpacity && actor->HasOpaqueGeometry();
+  return setsOpacity;
 }
 
-/// Whether an actor draws splats that blend in the opaque stage. Without code of the application,
-/// the opacity of a splat falls with the distance from its middle.
+/// Whether an actor draws splats that blend. Without code of the application, the opacity of a
+/// splat falls with the distance from its middle.
 bool DrawsFaintSplats(vtkActor* actor)
 {
   const auto hasText = [](const char* text) { return text && *text != '\0'; };
   auto* mapper = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
-  if (!mapper || !actor->HasOpaqueGeometry())
+  if (!mapper)
   {
     return false;
   }
@@ -118,8 +129,9 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
     vtkMapper* mapper = actor->GetMapper();
-    return IsForcedToBeOpaque(actor) || HasShadersWithOpacity(actor) || DrawsFaintSplats(actor) ||
-      (mapper && mapper->IsA("vtkLabeledContourMapper"));
+    return actor->HasOpaqueGeometry() &&
+      (HasFaintColors(actor) || HasShadersWithOpacity(actor) || DrawsFaintSplats(actor) ||
+        (mapper && mapper->IsA("vtkLabeledContourMapper")));
   }
   if (auto* slice = vtkImageSlice::SafeDownCast(prop))
   {

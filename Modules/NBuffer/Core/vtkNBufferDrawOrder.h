@@ -8,7 +8,8 @@
  * shows that if one of them
  *
  *  - blends in the opaque stage. Actors and texts do if the application forces them to be opaque,
- *    or if its shader code sets the opacity of fragments. So do splats of vtkPointGaussianMapper
+ *    and opaque actors with translucent back faces or textures that VTK takes for opaque, or with
+ *    shader code that sets the opacity of fragments. So do splats of vtkPointGaussianMapper
  *    that are emissive, less opaque at their borders, or have an array of opacities. VTK draws
  *    slices of images there, whatever their opacity
  *    (vtkImageSlice::HasTranslucentPolygonalGeometry()), and the labels of vtkLabeledContourMapper
