@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCasterList.h"
 
+#include "vtkNBufferDrawOrder.h"
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGlyphs.h"
 #include "vtkNBufferKnownClasses.h"
@@ -16,7 +17,6 @@
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -33,13 +33,12 @@ namespace
 /// The lighting margin of props of which it is not known where they are lit.
 constexpr double Anywhere = std::numeric_limits<double>::infinity();
 
-/// vtkNBufferSurface::GetLightingMargin(). Through a prop that may blend among opaque ones,
-/// surfaces behind the nearest one are seen, which may be anywhere.
+/// vtkNBufferSurface::GetLightingMargin(). Through a prop that blends among opaque ones, surfaces
+/// behind the nearest one are seen, which may be anywhere.
 double GetLightingMargin(vtkActor* actor)
 {
-  const bool mayBlend =
-    actor->GetForceOpaque() || vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
-  return mayBlend ? Anywhere : vtkNBufferSurface::GetLightingMargin(actor);
+  return vtkNBufferDrawOrder::MattersTo(actor) ? Anywhere
+                                               : vtkNBufferSurface::GetLightingMargin(actor);
 }
 
 std::vector<vtkInformationKey*> GetKeys(vtkInformation* information)
