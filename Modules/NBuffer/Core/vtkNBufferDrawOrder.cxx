@@ -43,8 +43,7 @@ bool HasFaintColors(vtkActor* actor)
   vtkProperty* back = actor->GetBackfaceProperty();
   vtkMapper* mapper = actor->GetMapper();
   const bool isForced = actor->GetForceOpaque() &&
-    (property->GetOpacity() < 1.0 || (mapper && mapper->HasTranslucentPolygonalGeometry()) ||
-      actor->IsA("vtkFlagpoleLabel"));
+    (property->GetOpacity() < 1.0 || (mapper && mapper->HasTranslucentPolygonalGeometry()));
   return isForced || (back && back->GetOpacity() < 1.0) || IsFaint(actor->GetTexture()) ||
     (property->GetInterpolation() == VTK_PBR && IsFaint(property->GetTexture("albedoTex")));
 }
@@ -128,6 +127,10 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
 {
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
+    if (actor->IsA("vtkFlagpoleLabel"))
+    {
+      return actor->GetForceOpaque(); // It has a text and no mapper of its own.
+    }
     vtkMapper* mapper = actor->GetMapper();
     return actor->HasOpaqueGeometry() &&
       (HasFaintColors(actor) || HasShadersWithOpacity(actor) || DrawsFaintSplats(actor) ||
