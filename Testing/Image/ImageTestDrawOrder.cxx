@@ -393,8 +393,8 @@ TEST_P(CullerDrawOrder, IsThatOfTheList)
   }
 }
 
-// Hazard: the verdicts of a frame are used again for one in which a slice begins to blend. (Its
-// image comes from a filter, and nothing but the pipeline has changed.)
+// Hazard: the verdicts of a frame are used again for one in which a slice begins to blend. (Only
+// the input of its mapper changes, which the slice's own time does not show.)
 TEST(CullerDrawOrderOnce, BeginsToMatterWhileTheCameraStandsStill)
 {
   Comparison comparison(

@@ -129,7 +129,8 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
   {
     if (actor->IsA("vtkFlagpoleLabel"))
     {
-      return actor->GetForceOpaque(); // It has a text and no mapper of its own.
+      // This forces the actors in it. The label itself has a translucent texture and is not forced.
+      return actor->GetForceOpaque();
     }
     vtkMapper* mapper = actor->GetMapper();
     return actor->HasOpaqueGeometry() &&
