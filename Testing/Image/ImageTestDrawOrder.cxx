@@ -25,6 +25,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkSelectVisiblePoints.h"
 #include "vtkShaderProperty.h"
+#include "vtkSkybox.h"
 #include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
@@ -166,6 +167,21 @@ void SetMappedTexture(vtkActor* actor)
   texture->SetLookupTable(MakeTable());
   texture->SetColorModeToMapScalars();
   actor->SetTexture(texture);
+}
+
+/// A skybox. A floor fades out at the horizon, in front of the lower half of the boxes.
+Make Skybox(int projection)
+{
+  return [projection](vtkRenderer*)
+  {
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(MakeImage(3));
+    auto skybox = vtkSmartPointer<vtkSkybox>::New();
+    skybox->SetProjection(projection);
+    skybox->SetFloorPlane(0.0F, 1.0F, 0.0F, 0.1F);
+    skybox->SetTexture(texture);
+    return skybox;
+  };
 }
 
 void SetTable(vtkImageSlice* slice)
@@ -433,6 +449,8 @@ const Ordered Cases[] = {
   { "MappedTexture", Pane(&SetMappedTexture) },
   { "ShaderWithOpacity", Shaded("  fragOutput0.a = 0.5;") },
   { "ShaderWithDepth", Shaded("  gl_FragDepth = 0.1;"), false },
+  { "SkyboxFloor", Skybox(vtkSkybox::Floor) },
+  { "SkyboxSphere", Skybox(vtkSkybox::Sphere), false },
   { "OpaqueSlice", Slice([](vtkImageSlice*) {}), false },
   { "FaintSlice", Slice([](vtkImageSlice* slice) { slice->GetProperty()->SetOpacity(0.5); }) },
   { "FaintSliceInTheTranslucentStage",

@@ -10,12 +10,15 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSelectVisiblePoints.h"
+#include "vtkSkybox.h"
 #include "vtkSphereSource.h"
+#include "vtkTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -374,6 +377,43 @@ TEST_F(PassImages, LabelsFindTheVisiblePoints)
   EXPECT_EQ(count(), expected) << "masks are made";
   EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
   EXPECT_EQ(count(), expected) << "masks are used again";
+}
+
+// Hazard: a skybox casts a shadow as if its mesh were in the scene, or a shadow is seen on it.
+TEST_F(PassImages, SkyboxesNeitherCastNorReceive)
+{
+  for (const int projection : { vtkSkybox::Cube, vtkSkybox::Sphere, vtkSkybox::Floor })
+  {
+    SCOPED_TRACE(projection);
+    const Stage stage = SetNamedStage("Directional");
+    vtkNew<vtkTexture> texture;
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(8, 8, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (int i = 0; i < 8 * 8 * 3; ++i)
+    {
+      values[i] = static_cast<unsigned char>(37 * i);
+    }
+    const bool isCube = projection == vtkSkybox::Cube;
+    texture->SetCubeMap(isCube);
+    for (int side = 0; side < (isCube ? 6 : 1); ++side)
+    {
+      texture->SetInputDataObject(side, image);
+    }
+    vtkNew<vtkSkybox> skybox;
+    skybox->SetProjection(projection);
+    skybox->SetFloorPlane(0.0F, 0.0F, 1.0F, 1.0F);
+    skybox->SetTexture(texture);
+    stage.GetRenderer()->AddActor(skybox);
+    const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    stage.Window->Render();
+    const int casters = pass->GetStatistics().Casters;
+    EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 0);
+    skybox->VisibilityOff();
+    stage.Window->Render();
+    EXPECT_EQ(pass->GetStatistics().Casters, casters);
+  }
 }
 
 // There are more lights than one texture has channels for.

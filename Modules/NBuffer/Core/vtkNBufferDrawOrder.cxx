@@ -18,6 +18,7 @@
 #include "vtkScalarsToColors.h"
 #include "vtkSelectVisiblePoints.h"
 #include "vtkShaderProperty.h"
+#include "vtkSkybox.h"
 #include "vtkTextActor3D.h"
 #include "vtkTexture.h"
 
@@ -90,6 +91,13 @@ bool DrawsFaintSplats(vtkActor* actor)
   return mapper->GetEmissive() || hasText(mapper->GetOpacityArray()) || isFaint;
 }
 
+/// Whether an actor is the floor of a skybox, which fades out towards the horizon.
+bool IsFadingFloor(vtkActor* actor)
+{
+  auto* skybox = vtkSkybox::SafeDownCast(actor);
+  return skybox && skybox->GetProjection() == vtkSkybox::Floor;
+}
+
 /// Whether all colors of a slice are opaque. Lookup tables and other mappers may make an alpha.
 bool HasOpaqueColors(vtkImageSlice* slice)
 {
@@ -135,7 +143,7 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
     vtkMapper* mapper = actor->GetMapper();
     return actor->HasOpaqueGeometry() &&
       (HasFaintColors(actor) || HasShadersWithOpacity(actor) || DrawsFaintSplats(actor) ||
-        (mapper && mapper->IsA("vtkLabeledContourMapper")));
+        IsFadingFloor(actor) || (mapper && mapper->IsA("vtkLabeledContourMapper")));
   }
   if (auto* slice = vtkImageSlice::SafeDownCast(prop))
   {

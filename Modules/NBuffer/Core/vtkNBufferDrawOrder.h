@@ -12,8 +12,9 @@
  *    shader code that sets the opacity of fragments. So do splats of vtkPointGaussianMapper
  *    that are emissive, less opaque at their borders, or have an array of opacities. VTK draws
  *    slices of images there, whatever their opacity
- *    (vtkImageSlice::HasTranslucentPolygonalGeometry()), and the labels of vtkLabeledContourMapper
- *    and vtkBatchedLabeledDataMapper;
+ *    (vtkImageSlice::HasTranslucentPolygonalGeometry()), the floor of a vtkSkybox, which fades out
+ *    towards the horizon, and the labels of vtkLabeledContourMapper and
+ *    vtkBatchedLabeledDataMapper;
  *  - reads the depth there. vtkLabeledDataMapper updates its pipeline while it is drawn, and
  *    vtkSelectVisiblePoints in that pipeline compares points with what the window has drawn so far.
  */

@@ -21,6 +21,7 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSkybox.h"
 
 #include <algorithm>
 #include <functional>
@@ -210,7 +211,8 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   {
     return;
   }
-  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  // The mesh of a skybox fills the view, wherever it is in the scene.
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE || vtkSkybox::SafeDownCast(actor))
   {
     member.Skip(vtkShadowSkip::NotASurface);
     return;
