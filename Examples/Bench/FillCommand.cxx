@@ -75,7 +75,6 @@ public:
 
   Json::Value Run(const CameraPath& path)
   {
-    this->Settle(path);
     for (std::size_t i = 0; i < path.size(); ++i)
     {
       ShowProgress("fill, frame " + std::to_string(i + 1) + " of " + std::to_string(path.size()));
@@ -123,20 +122,6 @@ private:
     { "exact", vtkShadowVolumeClampPass::Scissored, 4 },
     { "one slab", vtkShadowVolumeClampPass::Clamped, 64 },
     { "slabs", vtkShadowVolumeClampPass::Clamped, 4 } };
-
-  /// Renders what the pass needs to measure its estimates once (vtkShadowCostTrials).
-  void Settle(const CameraPath& path)
-  {
-    constexpr std::size_t frames = 8;
-    this->Where.GetRenderer()->SetPass(this->Pass);
-    this->Pass->SetMode(vtkShadowVolumeClampPass::Automatic);
-    for (std::size_t i = 0; i < frames; ++i)
-    {
-      this->Where.SetPose(path[i % path.size()]);
-      this->Where.Render();
-    }
-    this->Where.GetRenderer()->SetPass(nullptr);
-  }
 
   void CountPass(const CameraPose& pose)
   {

@@ -88,6 +88,7 @@ std::string vtkShadowStatistics::GetAsJSON() const
   times["litmaps"] = this->LitmapTime;
   times["plan"] = this->PlanTime;
   times["draw"] = this->DrawTime;
+  times["measure"] = this->MeasureTime;
   json["device_milliseconds"] = vtkNBufferJSON::ByName<vtkShadowStage>(this->DeviceTimes, GetName);
   return vtkNBufferJSON::Write(json);
 }

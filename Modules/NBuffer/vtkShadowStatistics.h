@@ -74,7 +74,7 @@ enum class vtkShadowVerdict : int
 enum class vtkShadowSkip : int
 {
   NotAnActor,      ///< It is a volume, a billboard or a prop of a class of the application.
-  NotASurface,     ///< It is drawn as wireframe or points.
+  NotASurface,     ///< It is drawn as wireframe or points, or it is a skybox.
   Translucent,     ///< It is translucent, or a block of it is.
   NotAPlainMapper, ///< The triangles that its mapper draws cannot be known (splats, for instance).
   NumberOfSkips
@@ -97,8 +97,8 @@ enum class vtkShadowDecision : int
 /**
  * The estimated and the measured times of the shadows of one light, in milliseconds. Litmaps are
  * assumed to save two thirds of the time of whole volumes. So mode Automatic makes litmaps if
- * LitmapEstimate is less than two thirds of WholeEstimate (vtkShadowCostModel.h), except in the
- * four frames of vtkShadowCostTrials.h. Both estimates are -1 in other modes.
+ * LitmapEstimate is less than two thirds of WholeEstimate (vtkShadowCostModel.h). Both estimates
+ * are -1 in other modes.
  */
 struct vtkShadowLightCost
 {
@@ -163,7 +163,7 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   /// The costs of each light that casts shadows, in the order of these lights. They say why a light
   /// was drawn with or without litmaps.
   std::vector<vtkShadowLightCost> LightCosts;
-  /// The read-backs of depth from OpenGL.
+  /// The read-backs of depth from OpenGL. The measurement of MeasureTime makes three more.
   int ReadBacks = 0;
   /// The number of frames so far with the decision Failed.
   int FailedFrames = 0;
@@ -187,6 +187,10 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   double PlanTime = 0.0;
   double DrawTime = 0.0;
   ///@}
+
+  /// Milliseconds for measuring the costs of the mode Automatic on the device, which are a part of
+  /// PlanTime. They are 0 in all frames except for one of each pass and context.
+  double MeasureTime = 0.0;
 
   /// Milliseconds of the graphics device for each stage. They belong to the last frame whose times
   /// have arrived, because the pass never waits for a timer (vtkShadowTimers.h). All are -1 until

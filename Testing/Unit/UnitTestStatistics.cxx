@@ -113,8 +113,8 @@ const Fields<Culling> CullingFields = {
     { "refits", &Culling::Refits }, { "builds", &Culling::Builds }, { "units", &Culling::Units },
     { "units_outside", &Culling::UnitsOutside }, { "units_kept", &Culling::UnitsKept },
     { "units_fresh", &Culling::UnitsFresh }, { "units_hidden", &Culling::UnitsHidden },
-    { "units_on_device", &Culling::UnitsOnDevice },
-    { "fresh_draws", &Culling::FreshDraws }, { "tie_queries", &Culling::TieQueries } },
+    { "units_on_device", &Culling::UnitsOnDevice }, { "fresh_draws", &Culling::FreshDraws },
+    { "tie_queries", &Culling::TieQueries } },
   { { "texels", &Culling::Texels }, { "queries", &Culling::Queries },
     { "lookups", &Culling::Lookups }, { "bytes_read", &Culling::BytesRead },
     { "nodes", &Culling::Nodes } },
@@ -150,7 +150,8 @@ const Fields<Shadows> ShadowFields = {
     { "fragments", &Shadows::Fragments } },
   { { "casters", &Shadows::CasterTime }, { "depth", &Shadows::DepthTime },
     { "read", &Shadows::ReadTime }, { "litmaps", &Shadows::LitmapTime },
-    { "plan", &Shadows::PlanTime }, { "draw", &Shadows::DrawTime } }
+    { "plan", &Shadows::PlanTime }, { "draw", &Shadows::DrawTime },
+    { "measure", &Shadows::MeasureTime } }
 };
 }
 

@@ -7,7 +7,7 @@
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGL.h"
 #include "vtkShadowCamera.h"
-#include "vtkShadowCostModel.h"
+#include "vtkShadowCostMeasurement.h"
 #include "vtkShadowLitmapSource.h"
 #include "vtkShadowReceiverProjector.h"
 
@@ -31,6 +31,14 @@ constexpr vtkIdType CastersPerThread = 256;
 struct vtkShadowMaskMaker::Work
 {
   const vtkShadowLight& GetLight() const { return this->Source.Geometry; }
+
+  /// The light spaces of the light's litmaps.
+  std::vector<vtkShadowLightSpace> MakeLitmapSpaces() const
+  {
+    return this->GetLight().Kind == vtkShadowLightKind::Point
+      ? vtkShadowLightSpace::MakeFaces(this->GetLight())
+      : std::vector<vtkShadowLightSpace>{ this->Space };
+  }
 
   const vtkShadowMaskMaker::Frame& Frame;
   vtkOpenGLRenderWindow* Window;
@@ -93,7 +101,6 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
     frame.Statistics.Fragments = 0;
   }
   this->LightVolumes.resize(std::max(this->LightVolumes.size(), lights.size()));
-  this->Trials.BeginFrame();
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     const Work work = { frame, window, camera, settings, frame.Statistics, lights[i], i,
@@ -274,25 +281,38 @@ long long vtkShadowMaskMaker::EstimateCovered(const Work& work)
   return this->Coverage.Get(samples);
 }
 
-double vtkShadowMaskMaker::EstimateLitmaps(const Work& work, long long covered) const
+void vtkShadowMaskMaker::MeasureCosts(const Work& work)
 {
-  const auto samples = static_cast<long long>(this->GetNumberOfSamples());
-  const long long resolution = work.Settings.Tuning.LitmapResolution;
-  const int faces = work.GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
-  return this->Trials.Litmap *
-    vtkShadowCostModel::EstimateLitmap(samples, covered, resolution * resolution, faces);
+  const vtkNBufferClock clock;
+  this->Costs.AreMeasured = true;
+  work.Statistics.ReadBacks += vtkShadowCostMeasurement::Repetitions;
+  std::string why; // An OpenGL call that fails will fail again when the mask is made.
+  vtkShadowCostMeasurement::Measure(
+    { work.Window, this->Target, this->Counter, work.GetLight(), work.MakeLitmapSpaces(),
+      this->Parts, this->GetWholeView(work), this->GetReceiverView(work),
+      work.Settings.Tuning.LitmapResolution },
+    this->Costs, why);
+  work.Statistics.MeasureTime += clock.GetMilliseconds();
 }
 
 bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost)
 {
-  cost.WholeEstimate = this->Trials.Whole * work.LightVolumes.Estimate.GetTime();
+  const int resolution = work.Settings.Tuning.LitmapResolution;
+  vtkShadowCostModel::Litmaps litmaps = { static_cast<long long>(this->GetNumberOfSamples()), 0,
+    resolution * resolution, work.GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1 };
+  const vtkShadowCostModel::Volumes& volumes = work.LightVolumes.Estimate.GetVolumes();
+  if (this->Costs.IsMeasurementDue(this->Costs.Estimate(volumes)))
+  {
+    this->MeasureCosts(work);
+  }
+  cost.WholeEstimate = this->Costs.Estimate(volumes);
   const auto isWorthIt = [&](long long covered)
   {
-    cost.LitmapEstimate = this->EstimateLitmaps(work, covered);
+    litmaps.Covered = covered;
+    cost.LitmapEstimate = this->Costs.Estimate(litmaps);
     return vtkShadowCostModel::IsLitmapWorthIt(cost.WholeEstimate, cost.LitmapEstimate);
   };
-  const auto samples = static_cast<long long>(this->GetNumberOfSamples());
-  return isWorthIt(samples) || (isWorthIt(0) && isWorthIt(this->EstimateCovered(work)));
+  return isWorthIt(litmaps.Samples) || (isWorthIt(0) && isWorthIt(this->EstimateCovered(work)));
 }
 
 bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
@@ -307,8 +327,6 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   this->FindParts(work);
   vtkShadowVolumeStore& store = work.LightVolumes.Store;
   store.BeginFrame();
-  using Way = vtkShadowCostTrials::Way;
-  Way trial = Way::Estimated;
   bool isWhole = work.Settings.Mode == vtkShadowMode::Unclamped;
   bool isEstimated = false;
   if (automatic)
@@ -316,23 +334,14 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
     isEstimated = work.LightVolumes.Estimate.BeginFrame(
       this->Parts, light, view.ConeReach, this->GetNumberOfSamples());
     isWhole = !this->IsLitmapWorthIt(work, cost);
-    trial = this->Trials.Choose(cost.WholeEstimate);
-    this->Trials.Start(trial);
-    if (trial == Way::Litmaps && !this->ReadReceivers(work))
-    {
-      this->Error.clear(); // See EstimateCovered().
-      trial = Way::Estimated;
-      isWhole = true;
-    }
-    isWhole = trial == Way::Estimated ? isWhole : trial == Way::Whole;
   }
   if (isWhole)
   {
     plan = &this->PlanWhole(work, view);
-    if (automatic && (!isEstimated || trial != Way::Estimated))
+    if (automatic && !isEstimated)
     {
       work.LightVolumes.Estimate.Measure(store.GetVolume(), *plan, view);
-      if (this->IsLitmapWorthIt(work, cost) && trial == Way::Estimated)
+      if (this->IsLitmapWorthIt(work, cost))
       {
         plan = nullptr;
       }
@@ -345,17 +354,12 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   }
   else
   {
-    spaces = light.Kind == vtkShadowLightKind::Point
-      ? vtkShadowLightSpace::MakeFaces(light)
-      : std::vector<vtkShadowLightSpace>{ work.Space };
+    spaces = work.MakeLitmapSpaces();
     cost.HasLitmaps = true;
     if (!this->MakeLitmaps(work, spaces))
     {
       return false;
     }
-    // The estimates above may be for another coverage, by which the decision was clear.
-    this->Trials.Stop(
-      trial, this->EstimateLitmaps(work, this->Coverage.Get(this->GetNumberOfSamples())));
     clock.Restart();
     std::vector<vtkShadowPlan::Face> litmaps;
     for (std::size_t i = 0; i < spaces.size(); ++i)
@@ -374,10 +378,6 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   work.Statistics.Pieces += store.GetNumberOfPiecesMade();
   work.Statistics.Triangles += plan->GetNumberOfTriangles();
   const bool done = plan->GetDraws().empty() || this->Count(work, *plan);
-  if (!cost.HasLitmaps)
-  {
-    this->Trials.Stop(trial, cost.WholeEstimate);
-  }
   work.Statistics.DrawTime += clock.GetMilliseconds();
   const vtkLight* pictured = work.Settings.PictureLight;
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
@@ -445,6 +445,6 @@ void vtkShadowMaskMaker::Release()
     this->LitmapSource->Release();
   }
   this->Target.Release();
-  this->Trials = vtkShadowCostTrials();
+  this->Costs = vtkShadowCostModel::Costs();
 }
 VTK_ABI_NAMESPACE_END

@@ -16,7 +16,7 @@
 #define vtkShadowMaskMaker_h
 
 #include "vtkShadowCasterList.h"
-#include "vtkShadowCostTrials.h"
+#include "vtkShadowCostModel.h"
 #include "vtkShadowCounter.h"
 #include "vtkShadowCoverage.h"
 #include "vtkShadowDebugView.h"
@@ -120,9 +120,9 @@ private:
   /// Plans to draw whole volumes. While neither casters nor light change, this is the last such
   /// plan, in another view.
   vtkShadowPlan& PlanWhole(const Work& work, const vtkShadowPlan::View& view);
-  double EstimateLitmaps(const Work& work, long long covered) const; ///< In milliseconds.
+  void MeasureCosts(const Work& work); ///< Of the mode Automatic.
   /// Returns whether litmaps are likely to be worth their cost by the estimate of the light. Sets
-  /// the estimates of `cost`.
+  /// the estimates of `cost`. Measures the costs if that is due.
   bool IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost);
   long long EstimateCovered(const Work& work); ///< The number of samples that are not background.
   /// Draws the shadows of a light, and sets all of `cost` except Time.
@@ -139,7 +139,7 @@ private:
   std::vector<const vtkShadowPart*> Parts; ///< Of all casters, in order, for the current light.
   std::vector<vtkShadowPlan::Choice> Choices; ///< The decision about each of Parts.
   vtkShadowCoverage Coverage;
-  vtkShadowCostTrials Trials; ///< Of the mode Automatic.
+  vtkShadowCostModel::Costs Costs; ///< Of the mode Automatic.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

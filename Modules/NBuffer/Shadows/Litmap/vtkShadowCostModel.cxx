@@ -13,13 +13,13 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-// Nanoseconds, see the header.
-constexpr double FragmentCost = 5.0;
-constexpr double TriangleCost = 250.0;
-constexpr double ReadCost = 5.0;
-constexpr double LexelCost = 75.0;
-constexpr double CoveredCost = 26.0;
+/// A difference of two times says little if it stands for a smaller share of the samples.
+constexpr double LeastShare = 1.0 / 16;
+
+/// The share of the time of whole volumes that litmaps are assumed to save.
 constexpr double Saving = 2.0 / 3.0;
+
+constexpr double MillisecondsPerNanosecond = 1e-6;
 
 /// The largest number of triangles that the estimate measures.
 constexpr std::size_t Budget = 4096;
@@ -33,6 +33,12 @@ using Polygon = std::vector<glm::dvec4>;
 /// missing because volumes are drawn with depths clamped.
 const glm::dvec4 Planes[5] = { { 1, 0, 0, 1 }, { -1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, -1, 0, 1 },
   { 0, 0, 1, 1 } };
+
+/// What one of `count` things costs, in nanoseconds, if all take `time` milliseconds.
+double GetCost(double time, double count)
+{
+  return std::max(time, 0.0) / (MillisecondsPerNanosecond * count);
+}
 
 double GetAreaInNdc(const Polygon& polygon)
 {
@@ -103,17 +109,40 @@ double EstimateFragments(const vtkShadowVolume& volume, const std::vector<vtkSha
                      : 0.0;
 }
 
-double EstimateWhole(double fragments, long long triangles)
+double Costs::Estimate(const Volumes& volumes) const
 {
-  return 1e-6 * (FragmentCost * fragments + TriangleCost * static_cast<double>(triangles));
+  return MillisecondsPerNanosecond *
+    (this->Fragment * volumes.Fragments + this->Triangle * static_cast<double>(volumes.Triangles));
 }
 
-double EstimateLitmap(long long samples, long long covered, long long lexels, int faces)
+double Costs::Estimate(const Litmaps& litmaps) const
 {
-  return 1e-6 *
-    (ReadCost * static_cast<double>(samples) +
-      faces *
-        (LexelCost * static_cast<double>(lexels) + CoveredCost * static_cast<double>(covered)));
+  return MillisecondsPerNanosecond *
+    (this->Sample * static_cast<double>(litmaps.Samples) +
+      litmaps.Faces *
+        (this->Lexel * static_cast<double>(litmaps.Lexels) +
+          this->Covered * static_cast<double>(litmaps.Covered)));
+}
+
+void Costs::SetFromVolumes(const Volumes& volumes, long long samples, double time, double pixelTime)
+{
+  const double before = this->Triangle;
+  this->Triangle = GetCost(pixelTime, static_cast<double>(volumes.Triangles));
+  this->Fragment = volumes.Fragments < LeastShare * static_cast<double>(samples)
+    ? this->Fragment * this->Triangle / before
+    : GetCost(time - pixelTime, volumes.Fragments);
+}
+
+void Costs::SetFromLitmaps(const Litmaps& litmaps, double readTime, double time, double emptyTime)
+{
+  const double before = this->Lexel;
+  const auto samples = static_cast<double>(litmaps.Samples);
+  const auto covered = static_cast<double>(litmaps.Covered);
+  this->Sample = GetCost(readTime, samples);
+  this->Lexel = GetCost(emptyTime / litmaps.Faces, static_cast<double>(litmaps.Lexels));
+  this->Covered = covered < LeastShare * samples
+    ? this->Covered * this->Lexel / before
+    : GetCost((time - emptyTime) / litmaps.Faces, covered);
 }
 
 bool IsLitmapWorthIt(double whole, double litmap)

@@ -14,23 +14,14 @@
  *     2/3 (fragments * cost + triangles * cost)
  *       >  samples * cost + faces * (lexels * cost + covered * cost)
  *
- * Each `cost` is the one that the table below has for this term. `samples` are all samples of the
- * viewport, `covered` those that are not background. The number of the latter is known only after
- * the depth was read. If the decision depends on it, the number of an earlier frame may be used
+ * Each `cost` is that of its term. `samples` are all samples of the viewport, `covered` those that
+ * are not background. The number of the latter is known only after the depth was read. If the
+ * decision depends on it, the number of an earlier frame may be used
  * (vtkShadowMaskMaker::EstimateCovered).
  *
- * Costs in nanoseconds, fitted to llvmpipe on two cores (commits cf31101 and e218509):
- *
- *     |  5   | a fragment in the stencil          |
- *     |  250 | a triangle, made (40) and drawn    |
- *     |  5   | a sample, read                     |
- *     |  75  | a lexel, for each face             |
- *     |  26  | a sample with depth, for each face |
- *
- * These numbers say how the terms compare with each other. How much time they stand for on a device
- * is measured once for each pass and context (vtkShadowCostTrials.h): each side of the rule is
- * multiplied by the ratio of a measured time to its estimate. A wrong cost costs time, but changes
- * no shadow.
+ * The costs are measured once for each pass and context (vtkShadowCostMeasurement.h). Those of
+ * llvmpipe on two cores, which stand in Costs, only tell when this is worth while. A wrong cost
+ * costs time, but changes no shadow.
  */
 #ifndef vtkShadowCostModel_h
 #define vtkShadowCostModel_h
@@ -44,6 +35,65 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkShadowCostModel
 {
+/// What is drawn of whole volumes.
+struct Volumes
+{
+  double Fragments = 0.0;
+  long long Triangles = 0;
+};
+
+/// What the litmaps of a light are made of.
+struct Litmaps
+{
+  long long Samples = 0; ///< All samples of the viewport.
+  long long Covered = 0; ///< Those that are not background.
+  long long Lexels = 0;  ///< Of one litmap.
+  int Faces = 1;         ///< The number of litmaps, 1 or 6.
+};
+
+/// The costs of the terms above, in nanoseconds.
+struct Costs
+{
+  /// Returns true if the costs are not measured yet, and whole volumes are estimated to take at
+  /// least a millisecond: a smaller estimate says little, and nothing depends on it.
+  bool IsMeasurementDue(double wholeEstimate) const
+  {
+    return !this->AreMeasured && wholeEstimate >= 1.0;
+  }
+
+  double Fragment = 5.0;   ///< A fragment of a volume.
+  double Triangle = 250.0; ///< A triangle of a volume.
+  double Sample = 5.0;     ///< A sample whose depth is read.
+  double Lexel = 75.0;     ///< A lexel, for each face.
+  double Covered = 26.0;   ///< A covered sample, for each face.
+  bool AreMeasured = false;
+
+  ///@{
+  /// Estimates how long the calling thread and the device take, in milliseconds.
+  VTKNBUFFER_EXPORT double Estimate(const Volumes& volumes) const;
+  VTKNBUFFER_EXPORT double Estimate(const Litmaps& litmaps) const;
+  ///@}
+
+  /**
+   * Sets the costs of volumes from the times of drawing them: `time` into the viewport, and
+   * `pixelTime` into one pixel of it, which tells the cost of triangles. All times are in
+   * milliseconds. The difference of the two times says little if there are few fragments. If there
+   * are fewer than 1/16 of the samples of the viewport, the cost of a fragment is assumed to change
+   * by the same factor as that of a triangle.
+   */
+  VTKNBUFFER_EXPORT void SetFromVolumes(
+    const Volumes& volumes, long long samples, double time, double pixelTime);
+
+  /**
+   * Sets the other costs from the times of reading the depth, of making litmaps from it, and of
+   * making them from a depth without receivers, which tells the cost of lexels. If less than 1/16
+   * of the samples is covered, the cost of a covered sample is assumed to change by the same factor
+   * as that of a lexel.
+   */
+  VTKNBUFFER_EXPORT void SetFromLitmaps(
+    const Litmaps& litmaps, double readTime, double time, double emptyTime);
+};
+
 /// Estimates the number of triangles of a caster's whole volume before it is made. `positional` is
 /// true for spot and point lights.
 VTKNBUFFER_EXPORT long long CountTriangles(const vtkShadowSilhouette& silhouette, bool positional);
@@ -56,15 +106,8 @@ VTKNBUFFER_EXPORT long long CountTriangles(const vtkShadowSilhouette& silhouette
 VTKNBUFFER_EXPORT double EstimateFragments(const vtkShadowVolume& volume,
   const std::vector<vtkShadowDraw>& draws, const vtkShadowDrawList::View& view);
 
-/// Estimates the milliseconds of drawing all whole volumes of a light.
-VTKNBUFFER_EXPORT double EstimateWhole(double fragments, long long triangles);
-
-/// Estimates the milliseconds of making the litmaps of a light. `lexels` is the number of lexels of
-/// a litmap, and `faces` the number of litmaps of the light, 1 or 6.
-VTKNBUFFER_EXPORT double EstimateLitmap(
-  long long samples, long long covered, long long lexels, int faces);
-
-/// Returns true if the rule above says that litmaps are worth their cost.
+/// Returns true if the rule above says that litmaps are worth their cost. Both are times of
+/// Costs::Estimate().
 VTKNBUFFER_EXPORT bool IsLitmapWorthIt(double whole, double litmap);
 }
 

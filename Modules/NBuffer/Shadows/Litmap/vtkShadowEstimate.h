@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowEstimate
- * @brief What drawing the whole volumes of a light is likely to cost, kept for some frames. No
- * OpenGL.
+ * @brief How much is drawn of the whole volumes of a light, kept for some frames. No OpenGL.
  *
  * To count triangles and to measure fragments (vtkShadowCostModel.h) takes 1 to 4 ms where there
  * are thousands of casters, and both change little from frame to frame.
@@ -44,7 +43,7 @@ public:
     {
       if (!cone.IsBeyondReach(part->Footprint, coneReach))
       {
-        this->Triangles +=
+        this->Volumes.Triangles +=
           vtkShadowCostModel::CountTriangles(part->Silhouette, light.IsPositional());
       }
     }
@@ -55,19 +54,15 @@ public:
   void Measure(
     const vtkShadowVolume& volume, const vtkShadowPlan& plan, const vtkShadowPlan::View& view)
   {
-    this->Fragments = vtkShadowCostModel::EstimateFragments(volume, plan.GetDraws(), view);
-    this->Triangles = plan.GetNumberOfTriangles();
+    this->Volumes = { vtkShadowCostModel::EstimateFragments(volume, plan.GetDraws(), view),
+      plan.GetNumberOfTriangles() };
   }
 
-  /// The estimate in milliseconds, before any correction (vtkShadowCostTrials.h).
-  double GetTime() const
-  {
-    return vtkShadowCostModel::EstimateWhole(this->Fragments, this->Triangles);
-  }
+  /// What is drawn, without fragments until they are measured.
+  const vtkShadowCostModel::Volumes& GetVolumes() const { return this->Volumes; }
 
 private:
-  double Fragments = 0.0; ///< 0 if they were not measured.
-  long long Triangles = 0;
+  vtkShadowCostModel::Volumes Volumes;
   std::size_t Parts = 0;   ///< The number of parts of casters then.
   std::size_t Samples = 0; ///< The number of samples of the viewport then.
   int Age = 0;             ///< The number of frames since then.
