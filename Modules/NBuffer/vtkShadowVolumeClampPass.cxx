@@ -3,6 +3,7 @@
 #include "vtkShadowVolumeClampPass.h"
 
 #include "vtkShadowOpaqueStage.h"
+#include "vtkShadowRendererStages.h"
 
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -56,6 +57,8 @@ public:
   {
     this->Stage->Owner = self;
     this->Steps->SetOpaquePass(this->Stage);
+    this->Steps->SetTranslucentPass(vtkNew<vtkShadowTranslucentStage>());
+    this->Steps->SetVolumetricPass(vtkNew<vtkShadowVolumetricStage>());
   }
   ~Internals() { this->Stage->Owner = nullptr; }
 

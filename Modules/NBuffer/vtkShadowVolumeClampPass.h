@@ -10,8 +10,10 @@
  * would find, at any distance, in windows of any shape; there is no shadow map, whose resolution
  * would show.
  *
- * As the pass of a renderer it draws everything, with the usual stages for camera, lights,
- * translucent props, volumes and overlays (GetSteps() returns them):
+ * As the pass of a renderer it draws everything, and the stages after the opaque one as the
+ * renderer does without a pass: with order-independent transparency or depth peeling, and FXAA.
+ * (GetSteps() returns the stages. Ambient occlusion and the removal of hidden lines, which VTK
+ * draws in the opaque stage, are left out.)
  *
  *     vtkNew<vtkShadowVolumeClampPass> shadows;
  *     renderer->SetPass(shadows);
@@ -21,7 +23,7 @@
  *     vtkNew<vtkRenderPassCollection> passes;
  *     passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
  *     passes->AddItem(shadows);
- *     passes->AddItem(vtkSmartPointer<vtkTranslucentPass>::New());
+ *     passes->AddItem(shadows->GetSteps()->GetTranslucentPass());
  *     sequence->SetPasses(passes);
  *     cameraPass->SetDelegatePass(sequence);
  *     renderer->SetPass(cameraPass);

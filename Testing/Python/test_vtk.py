@@ -221,6 +221,44 @@ def test_hardware_selection_finds_hidden_props_too():
     assert len(found[0]) > 50
 
 
+def add_pane_that_shows_a_volume(renderer):
+    """A pane before the walls whose colors have the alpha of a volume."""
+    data, volumes = vtk("vtkCommonDataModel"), vtk("vtkRenderingVolumeOpenGL2")
+    volume = data.vtkImageData()
+    volume.SetDimensions(8, 8, 8)
+    volume.SetSpacing(2.0, 2.0, 2.0)
+    volume.AllocateScalars(vtk("vtkCommonCore").VTK_UNSIGNED_CHAR, 4)
+    values = vtk("util.numpy_support").vtk_to_numpy(volume.GetPointData().GetScalars())
+    values[:] = [[200, 80, 40, 100]]
+    pane = vtk("vtkFiltersSources").vtkPlaneSource()
+    pane.SetOrigin(0.0, 0.0, 2.5)
+    pane.SetPoint1(9.0, 0.0, 2.5)
+    pane.SetPoint2(0.0, 9.0, 2.5)
+    mapper = volumes.vtkOpenGLSurfaceProbeVolumeMapper()
+    mapper.SetInputConnection(pane.GetOutputPort())
+    mapper.SetSourceData(volume)
+    actor = rendering.vtkActor()
+    actor.SetMapper(mapper)
+    renderer.AddActor(actor)
+
+
+# Hazard: what is drawn late is missing behind an actor that blends in the opaque stage.
+@pytest.mark.skipif(vtknbuffer._vtk_package != "vtkmodules", reason="cvista has no such mapper")
+def test_surfaces_that_show_a_volume_keep_their_place():
+    stock, ours = make_window(), make_window()
+    for window in (stock, ours):
+        look(window, 0)
+        without = image(window)
+        add_pane_that_shows_a_volume(renderers_of(window)[0])
+        look(window, 0)
+        assert differing(without, image(window)) > 1000
+    vtknbuffer.enable(ours)
+    for i in range(6):
+        look(stock, i)
+        look(ours, i)
+        assert differing(image(stock), image(ours)) == 0
+
+
 # Hazard: a crash when the interpreter ends, or when one object outlives another.
 def test_objects_are_dropped_in_every_order():
     begin = """

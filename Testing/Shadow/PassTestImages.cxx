@@ -15,10 +15,12 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkSelectVisiblePoints.h"
 #include "vtkSkybox.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
+#include "vtkTranslucentPass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,6 +182,7 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
         scene.Box({ 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 }).Opacity = 0.5;
       });
     const vtkSmartPointer<vtkShadowVolumeClampPass> alone = AddPass(stage);
+    alone->GetSteps()->SetTranslucentPass(vtkNew<vtkTranslucentPass>()); // As in the sequence.
     const Picture expected = RenderPicture(stage);
     EXPECT_EQ(alone->GetStatistics().Decision, vtkShadowDecision::Drawn);
     EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
@@ -377,6 +380,52 @@ TEST_F(PassImages, LabelsFindTheVisiblePoints)
   EXPECT_EQ(count(), expected) << "masks are made";
   EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
   EXPECT_EQ(count(), expected) << "masks are used again";
+}
+
+// Hazard: translucent props look different, or the image is not smoothed, when shadows are switched
+// on: VTK's own passes draw less than a renderer without a pass.
+TEST_F(PassImages, LaterStagesAreThoseOfTheRenderer)
+{
+  using Change = void (*)(vtkRenderer*);
+  const std::pair<const char*, Change> ways[] = { { "default", [](vtkRenderer*) {} },
+    { "depth peeling", [](vtkRenderer* renderer) { renderer->UseDepthPeelingOn(); } },
+    { "depth peeling of volumes",
+      [](vtkRenderer* renderer)
+      {
+        renderer->UseDepthPeelingOn();
+        renderer->UseDepthPeelingForVolumesOn();
+      } },
+    { "FXAA", [](vtkRenderer* renderer) { renderer->UseFXAAOn(); } } };
+  for (const auto& [name, change] : ways)
+  {
+    SCOPED_TRACE(name);
+    const Stage stage = SetNamedStage("Directional");
+    vtkRenderer* renderer = stage.GetRenderer();
+    for (vtkLight* light : stage.Lights)
+    {
+      light->SetShadowAttenuation(0.0);
+    }
+    const std::vector<vtkActor*> actors = GetActors(renderer);
+    for (std::size_t i = 1; i < actors.size(); ++i)
+    {
+      const auto copy = vtkSmartPointer<vtkActor>::New();
+      copy->ShallowCopy(actors[i]);
+      copy->SetProperty(vtkNew<vtkProperty>());
+      copy->GetProperty()->SetColor(1.0, 0.2 * static_cast<double>(i), 0.0);
+      copy->GetProperty()->SetOpacity(0.5);
+      copy->AddPosition(0.1, -0.4, 0.3);
+      renderer->AddActor(copy);
+    }
+    change(renderer);
+    const Picture expected = RenderPicture(stage);
+    renderer->SetPass(vtkNew<vtkRenderStepsPass>());
+    EXPECT_NE(FindDifference(expected, RenderPicture(stage)), "");
+    const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+    EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+    renderer->SetPass(nullptr);
+    EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+  }
 }
 
 // Hazard: a skybox casts a shadow as if its mesh were in the scene, or a shadow is seen on it.

@@ -8,7 +8,6 @@
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkRenderStepsPass.h"
 
 #include <algorithm>
 #include <map>
@@ -239,11 +238,9 @@ int ExpectComposedOfDimmed(const Stage& stage, vtkShadowVolumeClampPass* pass)
 Picture GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer)
 {
   const vtkSmartPointer<vtkRenderPass> pass = renderer->GetPass();
-  vtkNew<vtkRenderStepsPass> steps;
-  renderer->SetPass(steps);
+  renderer->SetPass(nullptr);
   window->Render();
   Picture result = TakePicture(window);
-  steps->ReleaseGraphicsResources(window);
   renderer->SetPass(pass);
   return result;
 }

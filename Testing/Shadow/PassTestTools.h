@@ -80,8 +80,7 @@ void ExpectAllModesMatchOracle(const Stage& stage, vtkShadowVolumeClampPass* pas
  */
 int ExpectComposedOfDimmed(const Stage& stage, vtkShadowVolumeClampPass* pass);
 
-/// Returns the window's image with vtkRenderStepsPass in the place of the renderer's pass, which is
-/// restored.
+/// Returns the window's image without the renderer's pass, which is restored.
 Picture GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer);
 
 #endif

@@ -98,6 +98,16 @@ bool IsFadingFloor(vtkActor* actor)
   return skybox && skybox->GetProjection() == vtkSkybox::Floor;
 }
 
+/// Whether a mapper draws labels, or colors with the alpha of a volume.
+bool Blends(vtkMapper* mapper)
+{
+  const char* const names[] = { "vtkLabeledContourMapper", "vtkFastLabeledDataMapper",
+    "vtkOpenGLSurfaceProbeVolumeMapper" };
+  return mapper &&
+    std::any_of(std::begin(names), std::end(names),
+      [mapper](const char* name) { return mapper->IsA(name) != 0; });
+}
+
 /// Whether all colors of a slice are opaque. Lookup tables and other mappers may make an alpha.
 bool HasOpaqueColors(vtkImageSlice* slice)
 {
@@ -140,10 +150,9 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
       // This forces the actors in it. The label itself has a translucent texture and is not forced.
       return actor->GetForceOpaque();
     }
-    vtkMapper* mapper = actor->GetMapper();
     return actor->HasOpaqueGeometry() &&
       (HasFaintColors(actor) || HasShadersWithOpacity(actor) || DrawsFaintSplats(actor) ||
-        IsFadingFloor(actor) || (mapper && mapper->IsA("vtkLabeledContourMapper")));
+        IsFadingFloor(actor) || Blends(actor->GetMapper()));
   }
   if (auto* slice = vtkImageSlice::SafeDownCast(prop))
   {

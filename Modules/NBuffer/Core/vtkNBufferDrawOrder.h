@@ -13,7 +13,8 @@
  *    that are emissive, less opaque at their borders, or have an array of opacities. VTK draws
  *    slices of images there, whatever their opacity
  *    (vtkImageSlice::HasTranslucentPolygonalGeometry()), the floor of a vtkSkybox, which fades out
- *    towards the horizon, and the labels of vtkLabeledContourMapper and
+ *    towards the horizon, surfaces of vtkOpenGLSurfaceProbeVolumeMapper, which may have the alpha
+ * of a volume, and the labels of vtkLabeledContourMapper, vtkFastLabeledDataMapper and
  *    vtkBatchedLabeledDataMapper;
  *  - reads the depth there. vtkLabeledDataMapper updates its pipeline while it is drawn, and
  *    vtkSelectVisiblePoints in that pipeline compares points with what the window has drawn so far.

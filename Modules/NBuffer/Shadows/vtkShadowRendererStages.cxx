@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowRendererStages.h"
+
+#include "vtkNBufferDepthSource.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Whether a frame has translucent props, and they are drawn by the renderer.
+bool DrawsTranslucentProps(const vtkRenderState* s)
+{
+  vtkProp** props = s->GetPropArray();
+  return vtkNBufferDepthSource::GetStoredDepth() == vtkNBufferStoredDepth::Ordinary &&
+    std::any_of(props, props + s->GetPropArrayCount(),
+      [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+}
+}
+
+vtkStandardNewMacro(vtkShadowTranslucentStage);
+vtkStandardNewMacro(vtkShadowVolumetricStage);
+
+void vtkShadowTranslucentStage::Render(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  this->NumberOfRenderedProps = 0;
+  if (DrawsTranslucentProps(s))
+  {
+    renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
+  }
+  else
+  {
+    this->Superclass::Render(s);
+  }
+  if (auto* smoothed = renderer->GetUseFXAA() ? vtkOpenGLRenderer::SafeDownCast(renderer) : nullptr)
+  {
+    if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
+    {
+      this->Smoothing->UpdateConfiguration(options);
+    }
+    this->Smoothing->Execute(smoothed);
+  }
+}
+
+void vtkShadowTranslucentStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Smoothing->ReleaseGraphicsResources();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkShadowVolumetricStage::Render(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  this->NumberOfRenderedProps = 0;
+  if (!renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes() ||
+    !DrawsTranslucentProps(s))
+  {
+    this->Superclass::Render(s);
+  }
+}
+VTK_ABI_NAMESPACE_END

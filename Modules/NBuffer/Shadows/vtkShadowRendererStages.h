@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkShadowRendererStages.h
+ * @brief The stages that follow the opaque one, as a renderer without a render pass draws them.
+ *
+ * VTK's own passes for these stages draw less than a renderer without a pass does
+ * (vtkOpenGLRenderer::UpdateGeometry()), so that a renderer would lose this when shadows are
+ * switched on:
+ *
+ *  - translucent props are drawn by order-independent transparency (vtkRenderer::UseOIT) or by
+ *    depth peeling (vtkRenderer::UseDepthPeeling);
+ *  - the image is smoothed after that (vtkRenderer::UseFXAA);
+ *  - volumes are drawn with the translucent props (vtkRenderer::UseDepthPeelingForVolumes).
+ */
+#ifndef vtkShadowRendererStages_h
+#define vtkShadowRendererStages_h
+
+#include "vtkNBufferRenderPassTraits.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkTranslucentPass.h"
+#include "vtkVolumetricPass.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// Draws the translucent props, and smooths the image. In reversed depth vtkTranslucentPass draws
+/// the props, because the shaders of the other ways take all depth for VTK's own.
+class vtkShadowTranslucentStage
+  : public vtkTranslucentPass
+  , public vtkNBufferRenderPassTraits
+{
+public:
+  static vtkShadowTranslucentStage* New();
+  vtkTypeMacro(vtkShadowTranslucentStage, vtkTranslucentPass);
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  std::vector<vtkRenderPass*> GetDelegatePasses() override { return {}; }
+
+private:
+  vtkNew<vtkOpenGLFXAAFilter> Smoothing;
+};
+
+/// Draws the volumes that the stage before has not drawn.
+class vtkShadowVolumetricStage
+  : public vtkVolumetricPass
+  , public vtkNBufferRenderPassTraits
+{
+public:
+  static vtkShadowVolumetricStage* New();
+  vtkTypeMacro(vtkShadowVolumetricStage, vtkVolumetricPass);
+
+  void Render(const vtkRenderState* s) override;
+  std::vector<vtkRenderPass*> GetDelegatePasses() override { return {}; }
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkShadowRendererStages.h
