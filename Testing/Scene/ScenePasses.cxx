@@ -4,6 +4,8 @@
 
 #include "ReversedDepth.h"
 
+#include "vtkShadowVolumeClampPass.h"
+
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkDepthPeelingPass.h"
@@ -91,11 +93,17 @@ vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows)
     case PassKind::None:
       return nullptr;
     case PassKind::ShadowVolumes:
+    {
       if (shadows)
       {
         return shadows;
       }
-      [[fallthrough]];
+      vtkNew<vtkShadowVolumeClampPass> other;
+      vtkNew<vtkRenderStepsPass> steps;
+      steps->SetTranslucentPass(other->GetSteps()->GetTranslucentPass());
+      steps->SetVolumetricPass(other->GetSteps()->GetVolumetricPass());
+      return steps;
+    }
     case PassKind::RenderSteps:
       return vtkSmartPointer<vtkRenderStepsPass>::New();
     case PassKind::ShadowVolumesInSequence:
