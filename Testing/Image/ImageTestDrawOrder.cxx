@@ -9,6 +9,7 @@
 #include "vtkBillboardTextActor3D.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
 #include "vtkImageProperty.h"
@@ -24,6 +25,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkSelectVisiblePoints.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkShaderProperty.h"
 #include "vtkSkybox.h"
 #include "vtkTextActor3D.h"
@@ -133,6 +136,25 @@ Make BackFaces(double opacity)
       vtkNew<vtkProperty> back;
       back->SetOpacity(opacity);
       actor->SetBackfaceProperty(back);
+    });
+}
+
+/// The pane, selected, with this opacity of what is selected.
+Make Selected(double opacity)
+{
+  return Pane(
+    [opacity](vtkActor* actor)
+    {
+      vtkNew<vtkIdTypeArray> cells;
+      cells->InsertNextValue(0);
+      vtkNew<vtkSelectionNode> node;
+      node->SetFieldType(vtkSelectionNode::CELL);
+      node->SetContentType(vtkSelectionNode::INDICES);
+      node->SetSelectionList(cells);
+      vtkNew<vtkSelection> selection;
+      selection->AddNode(node);
+      actor->GetMapper()->SetSelection(selection);
+      actor->GetProperty()->SetSelectionColor(1.0, 0.0, 0.0, opacity);
     });
 }
 
@@ -444,6 +466,8 @@ const Ordered Cases[] = {
   { "OpaquePane", Pane([](vtkActor*) {}), false },
   { "FaintBackFaces", BackFaces(0.5) },
   { "OpaqueBackFaces", BackFaces(1.0), false },
+  { "FaintSelection", Selected(0.5) },
+  { "OpaqueSelection", Selected(1.0), false },
   { "FaintBaseColor", BaseColor(4) },
   { "OpaqueBaseColor", BaseColor(3), false },
   { "MappedTexture", Pane(&SetMappedTexture) },

@@ -37,7 +37,8 @@ bool IsFaint(vtkTexture* texture)
 }
 
 /// Whether an actor that is opaque (vtkActor::HasOpaqueGeometry()), which may be by force, has
-/// colors with an alpha below 1. VTK does not look at back faces, nor at the base color's texture.
+/// colors with an alpha below 1. VTK does not look at back faces, at the base color's texture, and
+/// at the color of selected cells.
 bool HasFaintColors(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
@@ -45,7 +46,10 @@ bool HasFaintColors(vtkActor* actor)
   vtkMapper* mapper = actor->GetMapper();
   const bool isForced = actor->GetForceOpaque() &&
     (property->GetOpacity() < 1.0 || (mapper && mapper->HasTranslucentPolygonalGeometry()));
-  return isForced || (back && back->GetOpacity() < 1.0) || IsFaint(actor->GetTexture()) ||
+  const bool isSelected =
+    mapper && mapper->GetSelection() && property->GetSelectionColor()[3] < 1.0;
+  return isForced || isSelected || (back && back->GetOpacity() < 1.0) ||
+    IsFaint(actor->GetTexture()) ||
     (property->GetInterpolation() == VTK_PBR && IsFaint(property->GetTexture("albedoTex")));
 }
 

@@ -8,10 +8,10 @@
  * shows that if one of them
  *
  *  - blends in the opaque stage. Actors and texts do if the application forces them to be opaque,
- *    and opaque actors with translucent back faces or textures that VTK takes for opaque, or with
- *    shader code that sets the opacity of fragments. So do splats of vtkPointGaussianMapper
- *    that are emissive, less opaque at their borders, or have an array of opacities. VTK draws
- *    slices of images there, whatever their opacity
+ *    and opaque actors with translucent back faces, selected cells or textures that VTK takes for
+ *    opaque, or with shader code that sets the opacity of fragments. So do splats of
+ * vtkPointGaussianMapper that are emissive, less opaque at their borders, or have an array of
+ * opacities. VTK draws slices of images there, whatever their opacity
  *    (vtkImageSlice::HasTranslucentPolygonalGeometry()), the floor of a vtkSkybox, which fades out
  *    towards the horizon, surfaces of vtkOpenGLSurfaceProbeVolumeMapper, which may have the alpha
  * of a volume, and the labels of vtkLabeledContourMapper, vtkFastLabeledDataMapper and
