@@ -123,11 +123,11 @@ TEST(FuzzUndefined, NoEdgesOfClippedGlyphs)
   EXPECT_FALSE(scenario.Props[2].Edges);
 }
 
-TEST(FuzzUndefined, NoMappersThatFollowersLackOrOtherRenderersHave)
+TEST(FuzzUndefined, NoMappersThatCannotBeShared)
 {
   Scenario scenario;
-  scenario.Props.resize(6);
-  for (int i = 0; i < 6; ++i)
+  scenario.Props.resize(7);
+  for (int i = 0; i < 7; ++i)
   {
     scenario.Props[i].Id = i;
     scenario.Props[i].MapperOf = i > 0 ? 0 : -1;
@@ -138,11 +138,13 @@ TEST(FuzzUndefined, NoMappersThatFollowersLackOrOtherRenderersHave)
   scenario.Props[4].Renderer = 1;
   scenario.Props[4].Kind = PropKind::Assembly;
   scenario.Props[5].PartOf = 4;
+  scenario.Props[6].BackOpacity = 0.5;
   RemoveUndefined(scenario);
   EXPECT_EQ(scenario.Props[1].MapperOf, -1);
   EXPECT_EQ(scenario.Props[2].MapperOf, -1);
   EXPECT_EQ(scenario.Props[3].MapperOf, 0);
   EXPECT_EQ(scenario.Props[5].MapperOf, -1);
+  EXPECT_EQ(scenario.Props[6].MapperOf, -1);
 }
 
 // VTK draws glyphs of lines as wide as the lines before them, be it in an earlier scenario.

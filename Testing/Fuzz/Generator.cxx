@@ -123,6 +123,7 @@ void MakeMaterials(Writer& writer)
     const bool isSlice = writer.Scene.Seed % 16 == 6 && prop.Id % 8 == 5;
     const PropKind other = isSlice ? PropKind::Slice : PropKind::Composite;
     prop.Kind = prop.Kind == PropKind::Actor && (isSlice || hasBlocks) ? other : prop.Kind;
+    prop.BackOpacity = writer.Scene.Seed % 16 == 14 && prop.Id % 8 == 3 ? 0.5 : 1.0;
   }
   // These take long to draw in software, or their shaders to compile.
   if (writer.Chance(0.01))
@@ -205,7 +206,8 @@ void ChangeAnyProp(Writer& writer, int frame)
       switch (writer.Scene.Seed % 4)
       {
         case 0:
-          add(ChangeKind::MarkedCells, { 3.0 * (frame % 2) });
+          add(
+            ChangeKind::MarkedCells, { 3.0 * (frame % 2), writer.Scene.Seed % 8 == 4 ? 0.6 : 0.0 });
           break;
         case 1:
           add(ChangeKind::CulledFaces, { static_cast<double>(frame % 3) });

@@ -87,14 +87,15 @@ void SetRenderersOfParts(Scenario& scene)
 }
 
 /// Whether a prop may have the mapper of its MapperOf. VTK crashes with a follower that has no
-/// mapper, and the culler does not examine props of other renderers (docs/limits.md).
+/// mapper, and if only one of two actors with the same mapper has a property of back faces. The
+/// culler does not examine props of other renderers (docs/limits.md).
 bool MayShareMapper(const Scenario& scene, const Prop& prop)
 {
   return std::none_of(scene.Props.begin(), scene.Props.end(),
     [&prop](const Prop& owner)
     {
       return owner.Id == prop.MapperOf &&
-        (owner.Renderer != prop.Renderer ||
+        (owner.Renderer != prop.Renderer || (owner.BackOpacity < 1.0) != (prop.BackOpacity < 1.0) ||
           (owner.Kind == PropKind::NoMapper && prop.Kind == PropKind::Follower));
     });
 }

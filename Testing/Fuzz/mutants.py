@@ -192,6 +192,10 @@ MUTANTS = {
     "slices of images count as opaque": [
         ("vtkNBufferDrawOrder.cxx", "GetInput() || property->GetOpacity() < 1.0 ||",
          "GetInput() ||")],
+    "translucent back faces count as opaque": [
+        ("vtkNBufferDrawOrder.cxx", "(back && back->GetOpacity() < 1.0) ||", "")],
+    "selected cells count as opaque": [
+        ("vtkNBufferDrawOrder.cxx", "isForced || isSelected ||", "isForced ||")],
     "props that blend drawn again for their depth": [
         ("vtkNBufferLateDraws.cxx",
          "std::min(this->Props.GetSize(), partition.GetFirstBlended())",

@@ -137,6 +137,7 @@ void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
       if (mapper)
       {
         MarkCells(mapper, static_cast<int>(value));
+        property->SetSelectionColor(1.0, 0.0, 0.0, 1.0 - GetValue(change, 1));
       }
       break;
     case ChangeKind::ClippingPlane:

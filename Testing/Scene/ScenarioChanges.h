@@ -94,7 +94,7 @@ enum class ChangeKind
   BoxCost,
   BlockOpacity, ///< Of the second block of a composite prop.
   CulledFaces,  ///< As Prop::CulledFaces.
-  MarkedCells,  ///< How many cells, from the first on, are a selection of the mapper.
+  MarkedCells,  ///< How many cells, from the first on, are selected; how transparent they are.
   Erase,        ///< Of renderer `Target`.
   PreserveDepth ///< Of renderer `Target`.
 };

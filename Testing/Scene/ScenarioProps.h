@@ -126,6 +126,7 @@ struct Prop
   std::vector<double> UserMatrix; ///< Empty or 16.
   glm::dvec3 Color = { 1.0, 1.0, 1.0 };
   double Opacity = 1.0;
+  double BackOpacity = 1.0; ///< Below 1: the opacity of the back faces alone.
   bool Visible = true;
   bool Lighting = true;
   bool Flat = false;
@@ -155,10 +156,10 @@ struct Prop
   int PartOf = -1;       ///< The Id of an earlier assembly of which this is a part; -1: none.
 
   NBUFFER_SCENE_MEMBERS(Id, Kind, Shape, Renderer, From, Until, Position, Orientation, Scale,
-    UserMatrix, Color, Opacity, Visible, Lighting, Flat, Representation, Edges, Vertices, Spheres,
-    Tubes, LineWidth, PointSize, CulledFaces, ForceOpaque, ForceTranslucent, Texture, Scalars,
-    Shader, ClippingPlane, ShiftCoordinates, OffsetFactor, OffsetUnits, UseBounds, Casts, MapperOf,
-    PartOf);
+    UserMatrix, Color, Opacity, BackOpacity, Visible, Lighting, Flat, Representation, Edges,
+    Vertices, Spheres, Tubes, LineWidth, PointSize, CulledFaces, ForceOpaque, ForceTranslucent,
+    Texture, Scalars, Shader, ClippingPlane, ShiftCoordinates, OffsetFactor, OffsetUnits, UseBounds,
+    Casts, MapperOf, PartOf);
 };
 
 /// Whether a prop has instances of several sources, which cast no shadows.

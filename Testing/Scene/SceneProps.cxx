@@ -308,6 +308,13 @@ void SetActor(vtkActor* actor, const Prop& prop)
     actor->SetMapper(mapper);
   }
   SetProperty(actor->GetProperty(), prop);
+  if (prop.BackOpacity < 1.0)
+  {
+    vtkNew<vtkProperty> back;
+    SetProperty(back, prop);
+    back->SetOpacity(prop.BackOpacity);
+    actor->SetBackfaceProperty(back);
+  }
   actor->SetForceOpaque(prop.ForceOpaque);
   actor->SetForceTranslucent(prop.ForceTranslucent);
   if (prop.Texture != Translucency::None)
