@@ -3,14 +3,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Compares the images of scripts of others with and without the culler, such as VTK's own tests.
 
-    compare_scripts.py [--data FOLDER] SCRIPT...
+    compare_scripts.py [--shadows] [--data FOLDER] SCRIPT...
     compare_scripts.py --data vtk-data vtk/*/*/Testing/Python/*.py    # VTK's sources and data
 
 Each script runs in a process of its own, with the package vtknbuffer. Where it calls Render(), its
 window is also drawn from other sides, with a wall in front of a half of the view and without, and
-each image is compared with that of the same frame without the culler, byte for byte. Windows whose
-images differ from frame to frame without the culler are left out, and so are scripts that fail.
-The exit status is 1 if an image differs.
+each image is compared with that of the same frame without the culler, byte for byte. With --shadows
+each renderer has a sun and a pass for shadows: the image is the same as without the pass if shadows
+darken nothing, and the same with all modes except for Clamped if they do. Windows whose images
+differ from frame to frame without the culler are left out, and so are scripts that fail. The exit
+status is 1 if an image differs.
 """
 
 import argparse
@@ -26,6 +28,7 @@ import tempfile
 SETTINGS = {"minimum_number_of_candidates": 1, "back_off": 0, "minimum_number_of_primitives": 64,
             "divide_after": 1, "divide_in_background": 0, "time_units": 0}
 SIDES = 8
+SIDES_WITH_SHADOWS = 2
 WINDOWS = 4  # of a script
 
 
@@ -60,15 +63,10 @@ def make_wall(renderer):
     return actor
 
 
-def compare(window, counts):
-    """Compare a window from several sides, with and without a wall, and restore it."""
+def views(renderers, sides):
+    """Show the scene from several sides, with and without a wall, and restore the cameras."""
     import vtkmodules.all as vtk
-    import vtknbuffer
 
-    renderers = [renderer for renderer in vtknbuffer._renderers(window)
-                 if renderer.IsA("vtkOpenGLRenderer") and renderer.IsActiveCameraCreated()]
-    if not renderers or draw(window) != draw(window):
-        return
     cameras = []
     for renderer in renderers:
         cameras.append(vtk.vtkCamera())
@@ -77,32 +75,105 @@ def compare(window, counts):
         walls = [make_wall(renderer) for renderer in renderers if has_walls]
         for renderer, wall in zip(renderers, walls):
             renderer.AddViewProp(wall)
-        cullers = [vtknbuffer.enable(renderer, **SETTINGS) for renderer in renderers]
-        for side in range(SIDES):
+        for side in range(sides):
             for renderer in renderers if side % 3 else ():
                 renderer.GetActiveCamera().Azimuth(11.0 + 2.0 * side)
                 renderer.ResetCameraClippingRange()
-            images = []
-            for enabled in (True, False, False):
-                for culler in cullers:
-                    culler.SetEnabled(enabled)
-                images.append(draw(window))
-                for culler in cullers if enabled else ():
-                    statistics = json.loads(culler.GetStatisticsAsJSON())
-                    counts["props hidden"] += statistics["verdicts"]["Hidden"]
-                    counts["units hidden"] += statistics["units_hidden"]
-            if images[1] == images[2]:
-                counts["frames"] += 1
-                counts["frames that differ"] += images[0] != images[1]
-        for renderer, culler in zip(renderers, cullers):
-            renderer.GetCullers().RemoveItem(culler)
+            yield side
         for renderer, wall in zip(renderers, walls):
             renderer.RemoveViewProp(wall)
     for renderer, camera in zip(renderers, cameras):
         renderer.GetActiveCamera().DeepCopy(camera)
 
 
-def run(script, data, result):
+def compare_culler(window, renderers, counts):
+    """Compare the images with and without the culler."""
+    import vtknbuffer
+
+    cullers = [vtknbuffer.enable(renderer, **SETTINGS) for renderer in renderers]
+    for _ in views(renderers, SIDES):
+        images = []
+        for enabled in (True, False, False):
+            for culler in cullers:
+                culler.SetEnabled(enabled)
+            images.append(draw(window))
+            for culler in cullers if enabled else ():
+                statistics = json.loads(culler.GetStatisticsAsJSON())
+                counts["props hidden"] += statistics["verdicts"]["Hidden"]
+                counts["units hidden"] += statistics["units_hidden"]
+        if images[1] == images[2]:
+            counts["frames"] += 1
+            counts["frames that differ"] += images[0] != images[1]
+    for renderer, culler in zip(renderers, cullers):
+        renderer.GetCullers().RemoveItem(culler)
+
+
+def add_sun(renderer):
+    """Add a light that comes from above the camera."""
+    import vtkmodules.all as vtk
+
+    camera = renderer.GetActiveCamera()
+    sun = vtk.vtkLight()
+    sun.SetLightTypeToSceneLight()
+    sun.SetFocalPoint(camera.GetFocalPoint())
+    sun.SetPosition([eye + camera.GetDistance() * up
+                     for eye, up in zip(camera.GetPosition(), camera.GetViewUp())])
+    sun.SetIntensity(0.5)
+    renderer.AddLight(sun)
+    return sun
+
+
+def compare_shadows(window, renderers, counts):
+    """Compare images without shadows with those of shadows that darken nothing, and the modes."""
+    import vtknbuffer
+
+    # The pass takes the place of these.
+    renderers = [renderer for renderer in renderers
+                 if not renderer.GetPass() and not renderer.GetUseSSAO()
+                 and not renderer.GetUseHiddenLineRemoval()]
+    suns = [add_sun(renderer) for renderer in renderers]
+    passes = [vtknbuffer.vtkShadowVolumeClampPass() for _ in renderers]
+
+    def draw_with(attenuation, mode=None):
+        for renderer, sun, shadows in zip(renderers, suns, passes):
+            sun.SetShadowAttenuation(attenuation)
+            if mode is not None:
+                shadows.SetMode(mode)
+            renderer.SetPass(shadows if mode is not None else None)
+        # Where renderers share shaders, VTK gives them the lights of another one in the first frame.
+        draw(window)
+        return draw(window)
+
+    for _ in views(renderers, SIDES_WITH_SHADOWS):
+        for sun in suns:
+            sun.Modified()
+        plain = draw_with(0.0)
+        modes = vtknbuffer.vtkShadowVolumeClampPass
+        if plain == draw_with(0.0):
+            counts["frames"] += 1
+            counts["frames that differ"] += draw_with(0.0, modes.Automatic) != plain
+        shadowed = draw_with(1.0, modes.Unclamped)
+        if shadowed == draw_with(1.0, modes.Unclamped):
+            counts["frames with shadows"] += shadowed != plain
+            counts["frames that differ"] += any(
+                draw_with(1.0, mode) != shadowed
+                for mode in (modes.Culled, modes.Scissored, modes.Automatic))
+    for renderer, sun in zip(renderers, suns):
+        renderer.SetPass(None)
+        renderer.RemoveLight(sun)
+
+
+def compare(window, shadows, counts):
+    """Compare the images of a window that shows the same in each frame."""
+    import vtknbuffer
+
+    renderers = [renderer for renderer in vtknbuffer._renderers(window)
+                 if renderer.IsA("vtkOpenGLRenderer") and renderer.IsActiveCameraCreated()]
+    if renderers and draw(window) == draw(window):
+        (compare_shadows if shadows else compare_culler)(window, renderers, counts)
+
+
+def run(script, data, shadows, result):
     """Run a script in this process, which ends then, and write what was counted."""
     import vtkmodules.util.misc
 
@@ -116,7 +187,7 @@ def run(script, data, result):
             window = window.GetRenderWindow()
         if hasattr(window, "GetRenderers") and window not in compared and len(compared) < WINDOWS:
             compared.append(window)
-            compare(window, counts)
+            compare(window, shadows, counts)
 
     text = script.read_text(encoding="utf-8", errors="replace")
     text = re.sub(r"([A-Za-z_][\w.\[\]]*)\.Render\(\)", r"_compare_render(\1)", text)
@@ -139,16 +210,19 @@ def main():
     parser.add_argument("scripts", type=pathlib.Path, nargs="+", metavar="SCRIPT")
     parser.add_argument("--data", type=pathlib.Path, default=pathlib.Path(), metavar="FOLDER",
                         help="what vtkGetDataRoot() returns to the scripts")
+    parser.add_argument("--shadows", action="store_true",
+                        help="compare with vtkShadowVolumeClampPass in the place of the culler")
     parser.add_argument("--result", type=pathlib.Path, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.result:
-        run(options.scripts[0].resolve(), options.data.resolve(), options.result)
+        run(options.scripts[0].resolve(), options.data.resolve(), options.shadows, options.result)
     total = collections.Counter()
     for script in options.scripts:
         with tempfile.TemporaryDirectory() as folder:
             result = pathlib.Path(folder) / "counts.json"
             command = [sys.executable, __file__, script.resolve(), "--data",
-                       options.data.resolve(), "--result", result]
+                       options.data.resolve(), "--result", result,
+                       *["--shadows"] * options.shadows]
             try:
                 subprocess.run(command, cwd=folder, capture_output=True, timeout=120,
                                stdin=subprocess.DEVNULL)

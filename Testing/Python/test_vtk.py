@@ -284,16 +284,21 @@ def test_scripts_of_others_are_compared(tmp_path):
     """compare_scripts.py finds no difference in an example, and one where there is one."""
     source = pathlib.Path(__file__).resolve().parents[2]
     text = (source / "Examples/Python/plain_vtk.py").read_text().replace("range(10000)", "range(99)")
-    # The script's culler is removed after the eight frames without a wall.
-    honest, liar = tmp_path / "honest.py", tmp_path / "liar.py"
+    honest, liar, shadow_liar = (tmp_path / name for name in ("honest.py", "liar.py", "other.py"))
     honest.write_text(text)
-    liar.write_text(text.replace("window.Render()", """
+    for script, lie in (liar, "culler.GetEnabled()"), (shadow_liar, "bool(renderer.GetPass())"):
+        script.write_text(text.replace("window.Render()", f"""
 renderer.AddObserver(
-    "StartEvent", lambda *_: renderer.SetBackground(float(culler.GetEnabled()), 0.0, 0.0))
+    "StartEvent", lambda *_: renderer.SetBackground(float({lie}), 0.0, 0.0))
 window.Render()
 """))
     compare = [sys.executable, source / "Testing/Python/compare_scripts.py"]
     done = subprocess.run([*compare, honest], capture_output=True, text=True)
     assert done.returncode == 0 and "16 frames, 0 frames that differ" in done.stdout
     done = subprocess.run([*compare, honest, liar], capture_output=True, text=True)
-    assert done.returncode == 1 and "liar.py: 8 of 16 frames differ" in done.stdout
+    assert done.returncode == 1 and "liar.py: 16 of 16 frames differ" in done.stdout
+    done = subprocess.run([*compare, "--shadows", honest], capture_output=True, text=True)
+    assert done.returncode == 0
+    assert "4 frames, 0 frames that differ, 4 frames with shadows" in done.stdout
+    done = subprocess.run([*compare, "--shadows", shadow_liar], capture_output=True, text=True)
+    assert done.returncode == 1 and "other.py: 4 of 4 frames differ" in done.stdout
