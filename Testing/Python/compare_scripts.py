@@ -135,8 +135,10 @@ def compare_shadows(window, renderers, counts):
     passes = [vtknbuffer.vtkShadowVolumeClampPass() for _ in renderers]
 
     def draw_with(attenuation, mode=None):
-        for renderer, sun, shadows in zip(renderers, suns, passes):
-            sun.SetShadowAttenuation(attenuation)
+        for renderer, shadows in zip(renderers, passes):
+            lights = renderer.GetLights()
+            for i in range(lights.GetNumberOfItems()):
+                lights.GetItemAsObject(i).SetShadowAttenuation(attenuation)
             if mode is not None:
                 shadows.SetMode(mode)
             renderer.SetPass(shadows if mode is not None else None)
