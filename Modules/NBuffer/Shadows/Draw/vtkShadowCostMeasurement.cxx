@@ -104,6 +104,7 @@ vtkShadowPlan PlanSomeVolumes(
   }
   return plan;
 }
+
 /// Measures the costs of triangles and fragments. Returns false, with the cause in `why`, if an
 /// OpenGL call fails.
 bool MeasureVolumes(const vtkShadowCostMeasurement::Subject& subject,
@@ -140,10 +141,9 @@ bool MeasureVolumes(const vtkShadowCostMeasurement::Subject& subject,
   const double pixelTime = MeasureTime(draw);
   if (done)
   {
-    costs.SetFromVolumes(volumes,
-      subject.Target.GetSamples().size() * static_cast<long long>(subject.View.Viewport[2]) *
-        subject.View.Viewport[3],
-      time, pixelTime);
+    const auto samples = static_cast<long long>(subject.Target.GetSamples().size()) *
+      subject.View.Viewport[2] * subject.View.Viewport[3];
+    costs.SetFromVolumes(volumes, samples, time, pixelTime);
   }
   return done;
 }
