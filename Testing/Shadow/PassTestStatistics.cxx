@@ -39,7 +39,7 @@ std::string FindDifferenceInView(const Stage& stage, const Picture& expected, co
   return FindDifference(expected, actual, region);
 }
 
-/// A sphere of so many triangles that litmaps are estimated to be worth their cost.
+/// Adds a sphere above the scene.
 void AddSphere(const Stage& stage, int meridians, int parallels)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -149,10 +149,18 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const vtkShadowStatistics& statistics = pass->GetStatistics();
   Tune(pass, &vtkShadowTuning::LitmapResolution, 80);
+  const auto isPoint = [](vtkLight* light)
+  { return light->GetPositional() && light->GetConeAngle() >= 90.0; };
+  const auto lights = static_cast<int>(stage.Lights.size());
+  const auto points =
+    static_cast<int>(std::count_if(stage.Lights.begin(), stage.Lights.end(), isPoint));
+  ASSERT_GT(points, 0);
+  ASSERT_LT(points, lights);
   const auto expectSamePictures = [&]()
   {
     pass->SetMode(vtkShadowVolumeClampPass::Scissored);
     const Picture expected = RenderPicture(stage);
+    EXPECT_EQ(statistics.Litmaps, lights + 5 * points);
     EXPECT_EQ(statistics.UnclampedLights, 0);
     EXPECT_EQ(FindInconsistency(statistics), "");
     pass->SetMode(vtkShadowVolumeClampPass::Automatic);
@@ -160,7 +168,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
     EXPECT_EQ(FindInconsistency(statistics), "");
   };
   expectSamePictures();
-  EXPECT_EQ(statistics.UnclampedLights, static_cast<int>(stage.Lights.size()));
+  EXPECT_EQ(statistics.UnclampedLights, lights);
   EXPECT_EQ(statistics.ReadBacks, 0);
 
   AddSphere(stage, 300, 150);
@@ -172,9 +180,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   {
     const vtkShadowLightCost& cost = statistics.LightCosts[i];
     EXPECT_EQ(cost.HasLitmaps, 2.0 / 3.0 * cost.WholeEstimate > cost.LitmapEstimate) << i;
-    const bool isPoint =
-      stage.Lights[i]->GetPositional() && stage.Lights[i]->GetConeAngle() >= 90.0;
-    litmaps += !cost.HasLitmaps ? 0 : isPoint ? 6 : 1;
+    litmaps += !cost.HasLitmaps ? 0 : isPoint(stage.Lights[i]) ? 6 : 1;
     unclamped += !cost.HasLitmaps;
   }
   EXPECT_EQ(statistics.Litmaps, litmaps);
