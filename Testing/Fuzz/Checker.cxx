@@ -339,12 +339,12 @@ std::string Checker::CheckShadows(bool& strays)
     std::optional<ShadowStrays> found;
     try
     {
-      masks =
-        CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));
+      const RayJudge judge = MakeRayJudge(this->Tested);
+      masks = CompareMasks(this->Unclamped, tested, mode, this->Shadows, judge);
       if (!masks.empty() && mode != ShadowMode::Clamped)
       {
         found = FindStrays(
-          this->Tested, this->Unclamped, tested, CountsInPortions(this->Reference, this->Tested));
+          this->Unclamped, tested, judge, CountsInPortions(this->Reference, this->Tested));
       }
     }
     catch (const std::invalid_argument& error)
@@ -355,7 +355,7 @@ std::string Checker::CheckShadows(bool& strays)
     if (found)
     {
       this->Shadows.Strays += found->Seen;
-      this->Shadows.UnlitStrays += found->Unlit;
+      this->Shadows.UnseenStrays += found->Unseen;
       this->Shadows.StraysInPortions += found->InPortions;
     }
     strays = found && found->Seen + found->InPortions > 0;

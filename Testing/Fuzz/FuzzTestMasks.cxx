@@ -90,3 +90,42 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
   EXPECT_NE(CompareMasks(expected, shifted, ShadowMode::Clamped, tally, judge), "")
     << "rays that see something else decide nothing";
 }
+
+TEST(FuzzShadows, StraysAreRightOrUnseen)
+{
+  constexpr int width = 4;
+  const ShadowFrame expected = MakeFrame(std::vector<unsigned char>(width * width, 0), width);
+  ShadowFrame tested = expected;
+  OracleImage rays;
+  rays.Samples.assign(width * width, OracleSample::Shadowed);
+  rays.Ambiguous.assign(width * width, 0);
+  const auto find = [&](bool inPortions = false)
+  {
+    return FindStrays(
+      expected, tested, [&rays](int) { return rays; }, inPortions);
+  };
+  // What rays say is right.
+  tested.Masks[0][0] = tested.Masks[0][1] = 255;
+  ASSERT_TRUE(find());
+  EXPECT_EQ(find()->Seen, 2);
+  EXPECT_EQ(find()->Unseen, 0);
+  tested.Masks[0][2] = 255;
+  EXPECT_FALSE(find()) << "too many";
+  rays.Samples[2] = OracleSample::Unlit;
+  ASSERT_TRUE(find());
+  EXPECT_EQ(find()->Seen, 2);
+  EXPECT_EQ(find()->Unseen, 1);
+  // What rays contradict.
+  rays.Samples[0] = OracleSample::Lit;
+  EXPECT_FALSE(find());
+  rays.Ambiguous[0] = 1;
+  EXPECT_FALSE(find()) << "sample 1 is neither unlit nor ambiguous";
+  rays.Ambiguous[1] = 1;
+  ASSERT_TRUE(find());
+  EXPECT_EQ(find()->Seen, 0);
+  EXPECT_EQ(find()->Unseen, 3);
+  // In portions, ambiguous samples are no longer judged.
+  ASSERT_TRUE(find(true));
+  EXPECT_EQ(find(true)->InPortions, 2);
+  EXPECT_EQ(find(true)->Unseen, 1);
+}

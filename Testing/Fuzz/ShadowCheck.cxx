@@ -338,9 +338,8 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
 }
 
 std::optional<ShadowStrays> FindStrays(
-  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool inPortions)
+  const ShadowFrame& expected, const ShadowFrame& tested, const RayJudge& judge, bool inPortions)
 {
-  const Oracle oracle = MakeOracle(stage);
   ShadowStrays all;
   for (std::size_t light = 0; light < expected.Masks.size(); ++light)
   {
@@ -356,8 +355,7 @@ std::optional<ShadowStrays> FindStrays(
     {
       continue;
     }
-    const int number = static_cast<int>(light);
-    const OracleImage rays = oracle.Cast(OracleLight(stage.GetLights().GetLight(0, number)));
+    const OracleImage rays = judge(static_cast<int>(light));
     if (inPortions)
     {
       const auto end = std::remove_if(
@@ -367,15 +365,23 @@ std::optional<ShadowStrays> FindStrays(
     }
     const bool right = std::all_of(differing.begin(), differing.end(),
       [&](std::size_t i) { return !ContradictsRays(tested.Masks[light][i], rays.Samples[i]); });
-    const auto unlit = std::count_if(differing.begin(), differing.end(),
-      [&](std::size_t i) { return rays.Samples[i] == OracleSample::Unlit; });
-    const auto seen = static_cast<long long>(differing.size()) - unlit;
-    if (!right || seen > MaximumFlipsElsewhere)
+    const auto isUnlit = [&](std::size_t i) { return rays.Samples[i] == OracleSample::Unlit; };
+    const auto number = static_cast<long long>(differing.size());
+    const auto unlit = std::count_if(differing.begin(), differing.end(), isUnlit);
+    if (right && number - unlit <= MaximumFlipsElsewhere)
+    {
+      all.Seen += number - unlit;
+      all.Unseen += unlit;
+    }
+    else if (std::all_of(differing.begin(), differing.end(),
+               [&](std::size_t i) { return rays.Ambiguous[i] || isUnlit(i); }))
+    {
+      all.Unseen += number;
+    }
+    else
     {
       return std::nullopt;
     }
-    all.Seen += seen;
-    all.Unlit += unlit;
   }
   return all;
 }

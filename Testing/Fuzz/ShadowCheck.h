@@ -25,7 +25,7 @@ struct ShadowTally
   long long ClampedFlips = 0; ///< Samples at edges in which Clamped differs from Unclamped.
   long long ClampedFlipsElsewhere = 0; ///< Other samples in which Clamped differs from Unclamped.
   long long Strays = 0;           ///< Samples in which the mask of whole volumes contradicts rays.
-  long long UnlitStrays = 0;      ///< See `ShadowStrays::Unlit`.
+  long long UnseenStrays = 0;     ///< See `ShadowStrays::Unseen`.
   long long StraysInPortions = 0; ///< See `ShadowStrays::InPortions`.
   long long Rays = 0;             ///< Samples that were compared with rays.
   long long RaysAmbiguous = 0;    ///< Those of them that differ and are ambiguous.
@@ -82,16 +82,21 @@ constexpr long long MaximumFlipsElsewhere = 2;
 /// The numbers of receivers in which Scissored differs from Unclamped although nothing is wrong.
 struct ShadowStrays
 {
-  long long Seen = 0;  ///< Receivers that face the light, so that the images differ, too.
-  long long Unlit = 0; ///< Receivers that face away from the light: no image shows their masks.
+  long long Seen = 0;       ///< Receivers for which rays say that Scissored is right.
+  long long Unseen = 0;     ///< Receivers that make no difference to the image.
   long long InPortions = 0; ///< Ambiguous receivers, if volumes were counted in portions.
 };
 
 /**
- * Returns where Scissored (`tested`) differs from Unclamped (`expected`). Returns nothing if rays
- * contradict Scissored in one of these receivers, or if more than MaximumFlipsElsewhere of them,
- * for one light, are Seen: then something is wrong. Rasterisers may draw slivers of whole volumes
- * far off their planes (docs/shadows.md), where Scissored does not draw them.
+ * Returns where Scissored (`tested`) differs from Unclamped (`expected`). Rasterisers may draw
+ * slivers of whole volumes, and surfaces seen edge-on, far off their planes (docs/shadows.md),
+ * where Scissored does not draw them. Returns nothing if something is wrong, which means that for
+ * one light neither of these conditions holds:
+ *
+ *  - Rays contradict Scissored in none of the receivers, and at most MaximumFlipsElsewhere of the
+ *    receivers face the light. Receivers that face away from it are Unseen.
+ *  - All receivers are ambiguous, or face away from the light. They are Unseen: the caller has to
+ *    check that the images are equal.
  *
  * `inPortions` says that counts were too high for one stencil, so that volumes were counted in
  * portions. The portions of Scissored, which leaves out some volumes, are others. At the very edge
@@ -100,7 +105,7 @@ struct ShadowStrays
  * ambiguous may differ.
  */
 std::optional<ShadowStrays> FindStrays(
-  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool inPortions);
+  const ShadowFrame& expected, const ShadowFrame& tested, const RayJudge& judge, bool inPortions);
 
 /// Returns whether a pass of one of the two stages has counted the volumes of a light in portions.
 bool CountsInPortions(const Player& expected, const Player& tested);

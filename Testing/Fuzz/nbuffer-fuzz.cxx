@@ -265,7 +265,7 @@ private:
     json["shadow_samples_shadowed"] = Json::Int64(t.Shadows.Shadowed);
     json["shadow_samples_flipped_by_clamping"] = Json::Int64(t.Shadows.ClampedFlips);
     json["shadow_strays"] = Json::Int64(t.Shadows.Strays);
-    json["shadow_strays_unlit"] = Json::Int64(t.Shadows.UnlitStrays);
+    json["shadow_strays_unseen"] = Json::Int64(t.Shadows.UnseenStrays);
     json["shadow_strays_in_portions"] = Json::Int64(t.Shadows.StraysInPortions);
     json["shadow_samples_flipped_away_from_edges"] = Json::Int64(t.Shadows.ClampedFlipsElsewhere);
     json["shadow_rays"] = Json::Int64(t.Shadows.Rays);
