@@ -235,6 +235,11 @@ Oracle MakeOracle(const Player& stage)
 }
 
 /// Neither lit nor shadowed is what the light does not reach, or what turns away from it.
+bool IsJudged(OracleSample sample)
+{
+  return sample == OracleSample::Lit || sample == OracleSample::Shadowed;
+}
+
 bool ContradictsRays(unsigned char mask, OracleSample sample)
 {
   return (sample == OracleSample::Lit && mask != 0) ||
@@ -248,10 +253,8 @@ long long CountUnexplained(const ShadowFrame& tested, std::size_t light,
   return std::count_if(samples.begin(), samples.end(),
     [&](std::size_t i)
     {
-      const bool judged =
-        rays.Samples[i] == OracleSample::Lit || rays.Samples[i] == OracleSample::Shadowed;
       return !rays.Ambiguous[i] &&
-        (!judged || ContradictsRays(tested.Masks[light][i], rays.Samples[i]));
+        (!IsJudged(rays.Samples[i]) || ContradictsRays(tested.Masks[light][i], rays.Samples[i]));
     });
 }
 }
@@ -363,12 +366,12 @@ std::optional<ShadowStrays> FindStrays(
       all.InPortions += differing.end() - end;
       differing.erase(end, differing.end());
     }
-    const bool right = std::all_of(differing.begin(), differing.end(),
-      [&](std::size_t i) { return !ContradictsRays(tested.Masks[light][i], rays.Samples[i]); });
+    const bool contradicts = std::any_of(differing.begin(), differing.end(),
+      [&](std::size_t i) { return ContradictsRays(tested.Masks[light][i], rays.Samples[i]); });
     const auto isUnlit = [&](std::size_t i) { return rays.Samples[i] == OracleSample::Unlit; };
     const auto number = static_cast<long long>(differing.size());
     const auto unlit = std::count_if(differing.begin(), differing.end(), isUnlit);
-    if (right && number - unlit <= MaximumFlipsElsewhere)
+    if (!contradicts && number - unlit <= MaximumFlipsElsewhere)
     {
       all.Seen += number - unlit;
       all.Unseen += unlit;
@@ -411,23 +414,12 @@ std::string CompareWithRays(const Player& stage, const ShadowFrame& frame, Shado
     long long first = -1;
     for (std::size_t i = 0; i < expected.Samples.size(); ++i)
     {
-      const OracleSample sample = expected.Samples[i];
-      if (sample != OracleSample::Lit && sample != OracleSample::Shadowed)
-      {
-        continue;
-      }
-      ++tally.Rays;
-      if (!ContradictsRays(frame.Masks[light][i], sample))
-      {
-        continue;
-      }
-      if (expected.Ambiguous[i])
-      {
-        ++tally.RaysAmbiguous;
-        continue;
-      }
-      ++wrong;
-      first = first < 0 ? static_cast<long long>(i) : first;
+      const bool contradicts = ContradictsRays(frame.Masks[light][i], expected.Samples[i]);
+      tally.Rays += IsJudged(expected.Samples[i]);
+      tally.RaysAmbiguous += contradicts && expected.Ambiguous[i];
+      const bool isWrong = contradicts && !expected.Ambiguous[i];
+      first = isWrong && wrong == 0 ? static_cast<long long>(i) : first;
+      wrong += isWrong;
     }
     tally.Strays += wrong;
     if (wrong > MaximumFlipsElsewhere)
@@ -444,11 +436,8 @@ std::string CheckShadowStatistics(const Player& stage)
   for (vtkShadowVolumeClampPass* pass : GetPasses(stage))
   {
     const vtkShadowStatistics& statistics = pass->GetStatistics();
-    std::string fault = FindInconsistency(statistics);
-    if (statistics.Decision == vtkShadowDecision::Failed)
-    {
-      fault += "The pass failed\n";
-    }
+    const bool failed = statistics.Decision == vtkShadowDecision::Failed;
+    const std::string fault = FindInconsistency(statistics) + (failed ? "The pass failed\n" : "");
     failure += fault.empty() ? "" : fault + statistics.GetAsJSON() + "\n";
   }
   return failure;
