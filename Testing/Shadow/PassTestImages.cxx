@@ -69,6 +69,26 @@ public:
 };
 vtkStandardNewMacro(PointLabels);
 
+/// Counts how often its translucent geometry is drawn, and does not say that it has any.
+class TranslucentUnawares : public vtkActor2D
+{
+public:
+  static TranslucentUnawares* New();
+  vtkTypeMacro(TranslucentUnawares, vtkActor2D);
+
+  int Draws = 0;
+
+  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return false; }
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override
+  {
+    ++this->Draws;
+    return 0;
+  }
+  int RenderOverlay(vtkViewport*) override { return 0; }
+};
+vtkStandardNewMacro(TranslucentUnawares);
+
 NamedScenario GetColourScene(const std::string& name)
 {
   if (name != "SixLights")
@@ -425,6 +445,32 @@ TEST_F(PassImages, LaterStagesAreThoseOfTheRenderer)
     EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
     renderer->SetPass(nullptr);
     EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+  }
+}
+
+// Hazard: a prop appears when shadows are switched on, such as the 3D text of PyVista's grid, which
+// is translucent and does not say so. Without a translucent prop the renderer leaves the stage out.
+TEST_F(PassImages, TheTranslucentStageIsDrawnWhereTheRendererDrawsIt)
+{
+  const Stage stage = SetNamedStage("Directional");
+  vtkRenderer* renderer = stage.GetRenderer();
+  vtkNew<TranslucentUnawares> prop;
+  renderer->AddViewProp(prop);
+  const auto count = [&]
+  {
+    const int before = prop->Draws;
+    stage.Window->Render();
+    return prop->Draws - before;
+  };
+  for (const double opacity : { 1.0, 0.5 })
+  {
+    SCOPED_TRACE(opacity);
+    GetActors(renderer)[1]->GetProperty()->SetOpacity(opacity);
+    renderer->SetPass(nullptr);
+    const int expected = count();
+    EXPECT_EQ(expected > 0, opacity < 1.0);
+    AddPass(stage);
+    EXPECT_EQ(count(), expected);
   }
 }
 

@@ -14,13 +14,16 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Whether a frame has translucent props, and they are drawn by the renderer.
-bool DrawsTranslucentProps(const vtkRenderState* s)
+bool HasTranslucentProps(const vtkRenderState* s)
 {
   vtkProp** props = s->GetPropArray();
-  return vtkNBufferDepthSource::GetStoredDepth() == vtkNBufferStoredDepth::Ordinary &&
-    std::any_of(props, props + s->GetPropArrayCount(),
-      [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+  return std::any_of(props, props + s->GetPropArrayCount(),
+    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+}
+
+bool IsOrdinaryDepth()
+{
+  return vtkNBufferDepthSource::GetStoredDepth() == vtkNBufferStoredDepth::Ordinary;
 }
 }
 
@@ -31,13 +34,16 @@ void vtkShadowTranslucentStage::Render(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
   this->NumberOfRenderedProps = 0;
-  if (DrawsTranslucentProps(s))
+  if (HasTranslucentProps(s))
   {
-    renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
-  }
-  else
-  {
-    this->Superclass::Render(s);
+    if (IsOrdinaryDepth())
+    {
+      renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
+    }
+    else
+    {
+      this->Superclass::Render(s);
+    }
   }
   if (auto* smoothed = renderer->GetUseFXAA() ? vtkOpenGLRenderer::SafeDownCast(renderer) : nullptr)
   {
@@ -60,7 +66,7 @@ void vtkShadowVolumetricStage::Render(const vtkRenderState* s)
   vtkRenderer* renderer = s->GetRenderer();
   this->NumberOfRenderedProps = 0;
   if (!renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes() ||
-    !DrawsTranslucentProps(s))
+    !IsOrdinaryDepth() || !HasTranslucentProps(s))
   {
     this->Superclass::Render(s);
   }

@@ -4,10 +4,12 @@
  * @file vtkShadowRendererStages.h
  * @brief The stages that follow the opaque one, as a renderer without a render pass draws them.
  *
- * VTK's own passes for these stages draw less than a renderer without a pass does
- * (vtkOpenGLRenderer::UpdateGeometry()), so that a renderer would lose this when shadows are
- * switched on:
+ * VTK's own passes for these stages do not draw what a renderer without a pass does
+ * (vtkOpenGLRenderer::UpdateGeometry()), so that an image would change when shadows are switched
+ * on:
  *
+ *  - the translucent stage is left out if no prop says that it has something translucent (the 3D
+ *    text of vtkCubeAxesActor does not, and is not drawn then);
  *  - translucent props are drawn by order-independent transparency (vtkRenderer::UseOIT) or by
  *    depth peeling (vtkRenderer::UseDepthPeeling);
  *  - the image is smoothed after that (vtkRenderer::UseFXAA);
