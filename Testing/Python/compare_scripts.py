@@ -6,13 +6,13 @@
     compare_scripts.py [--shadows] [--data FOLDER] SCRIPT...
     compare_scripts.py --data vtk-data vtk/*/*/Testing/Python/*.py    # VTK's sources and data
 
-Each script runs in a process of its own, with the package vtknbuffer. Where it calls Render(), its
-window is also drawn from other sides, with a wall in front of a half of the view and without, and
-each image is compared with that of the same frame without the culler, byte for byte. With --shadows
-each renderer has a sun and a pass for shadows: the image is the same as without the pass if shadows
-darken nothing, and the same with all modes except for Clamped if they do. Windows whose images
-differ from frame to frame without the culler are left out, and so are scripts that fail. The exit
-status is 1 if an image differs.
+Each script runs in a process of its own, with the package vtknbuffer. Where it calls Render(), or
+show() of a plotter of PyVista, its window is also drawn from other sides, with a wall in front of a
+half of the view and without, and each image is compared with that of the same frame without the
+culler, byte for byte. With --shadows each renderer has a sun and a pass for shadows: the image is
+the same as without the pass if shadows darken nothing, and the same with all modes except for
+Clamped if they do. Windows whose images differ from frame to frame without the culler are left out,
+and so are scripts that fail. The exit status is 1 if an image differs.
 """
 
 import argparse
@@ -30,6 +30,7 @@ SETTINGS = {"minimum_number_of_candidates": 1, "back_off": 0, "minimum_number_of
 SIDES = 8
 SIDES_WITH_SHADOWS = 2
 WINDOWS = 4  # of a script
+PLOTTER_SIZE = 400, 300
 
 
 def draw(window):
@@ -175,6 +176,24 @@ def compare(window, shadows, counts):
         (compare_shadows if shadows else compare_culler)(window, renderers, counts)
 
 
+def watch_plotters(render):
+    """Call a function with the window of each plotter of PyVista that is shown."""
+    import pyvista
+
+    show = pyvista.Plotter.show
+
+    def show_and_render(plotter, *arguments, **options):
+        shown = show(plotter, *arguments, **{**options, "auto_close": False, "interactive": False})
+        render(plotter.render_window)
+        if options.get("auto_close", True):
+            plotter.close()
+        return shown
+
+    pyvista.OFF_SCREEN = True
+    pyvista.global_theme.window_size = PLOTTER_SIZE
+    pyvista.Plotter.show = show_and_render
+
+
 def run(script, data, shadows, result):
     """Run a script in this process, which ends then, and write what was counted."""
     import vtkmodules.util.misc
@@ -192,6 +211,8 @@ def run(script, data, shadows, result):
             compare(window, shadows, counts)
 
     text = script.read_text(encoding="utf-8", errors="replace")
+    if "pyvista" in text:
+        watch_plotters(render)
     text = re.sub(r"([A-Za-z_][\w.\[\]]*)\.Render\(\)", r"_compare_render(\1)", text)
     text = re.sub(r"[A-Za-z_][\w.]*\.Start\(\)", "None", text)  # of an interactor
     vtkmodules.util.misc.vtkGetDataRoot = lambda: str(data)

@@ -4,6 +4,9 @@
 
 import importlib.metadata
 import itertools
+import pathlib
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -435,3 +438,22 @@ del plotter, actors, culler
 for name in {order!r}:
     del objects[name]
 """ for order in itertools.permutations(("plotter", "culler", "actor")) for close in (False, True)})
+
+
+@pytest.mark.skipif(vtknbuffer._vtk_package != "vtkmodules", reason="scripts import vtkmodules")
+def test_scripts_of_others_are_compared(tmp_path):
+    """compare_scripts.py compares plotters, and finds a script that changes with the pass."""
+    script = tmp_path / "liar.py"
+    script.write_text("""
+import pyvista
+plotter = pyvista.Plotter(window_size=(160, 120))
+plotter.add_mesh(pyvista.Cube())
+plotter.renderer.AddObserver("StartEvent", lambda renderer, event: renderer.SetBackground(
+    float(bool(renderer.GetPass())), 0.0, 0.0))
+plotter.show()
+""")
+    compare = [sys.executable, pathlib.Path(__file__).with_name("compare_scripts.py"), script]
+    done = subprocess.run(compare, capture_output=True, text=True)
+    assert done.returncode == 0 and "16 frames, 0 frames that differ" in done.stdout
+    done = subprocess.run([*compare, "--shadows"], capture_output=True, text=True)
+    assert done.returncode == 1 and "liar.py: 4 of 4 frames differ" in done.stdout
