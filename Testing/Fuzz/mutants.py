@@ -284,8 +284,6 @@ SHADOW_MUTANTS = {
     "volumes of casters that moved are kept": [
         ("vtkShadowVolumeStore.cxx", "try_emplace(caster.Silhouette.GetMTime())",
          "try_emplace(reinterpret_cast<vtkMTimeType>(&caster))")],
-    "volumes of parallel cameras end within the view": [
-        (VOLUME, "Lengthening = 1.01;", "Lengthening = 0.5;")],
     "volumes along which a parallel camera looks are infinite": [
         (DRAW_LIST, "(light.IsPositional() || isAlong);", "light.IsPositional();")],
     "near cap missing": [
@@ -351,6 +349,8 @@ RARE = {
 }
 
 RARE_SHADOWS = {
+    "volumes of parallel cameras end within the view": [
+        (VOLUME, "Lengthening = 1.01;", "Lengthening = 0.5;")],
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "half of a spot's cone angle": [
