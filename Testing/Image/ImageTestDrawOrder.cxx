@@ -431,6 +431,33 @@ TEST_P(CullerDrawOrder, IsThatOfTheList)
   }
 }
 
+// Hazard: VTK draws a selection even after the mapper has none any more.
+TEST(CullerDrawOrderOnce, MattersAsLongAsASelectionIsDrawn)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      stage.Add(Selected(0.5)(stage.GetRenderer()));
+      Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    });
+  const int last = static_cast<int>(comparison.Culled.Props.size()) - 1;
+  comparison.Frame();
+  comparison.Both(
+    [&](Stage& stage) { stage.GetActor(last - 1)->GetMapper()->SetSelection(nullptr); });
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Frame(
+      [i](Stage& stage)
+      {
+        Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 9.0 : -2.0 * i);
+        stage.GetActor(Wall::Index)->SetPosition(4.0 * (i % 3), 0.0, 0.0);
+      });
+    EXPECT_EQ(comparison.GetVerdict(last), Verdict::Blended) << i;
+  }
+}
+
 // Hazard: the verdicts of a frame are used again for one in which a slice begins to blend. (Only
 // the input of its mapper changes, which the slice's own time does not show.)
 TEST(CullerDrawOrderOnce, BeginsToMatterWhileTheCameraStandsStill)

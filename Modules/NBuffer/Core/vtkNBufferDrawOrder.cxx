@@ -13,6 +13,7 @@
 #include "vtkImageSliceMapper.h"
 #include "vtkMapper.h"
 #include "vtkMapper2D.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
@@ -47,7 +48,7 @@ bool HasFaintColors(vtkActor* actor)
   const bool isForced = actor->GetForceOpaque() &&
     (property->GetOpacity() < 1.0 || (mapper && mapper->HasTranslucentPolygonalGeometry()));
   const bool isSelected =
-    mapper && mapper->GetSelection() && property->GetSelectionColor()[3] < 1.0;
+    mapper && property->GetSelectionColor()[3] < 1.0 && vtkNBufferDrawOrder::DrawsSelection(mapper);
   return isForced || isSelected || (back && back->GetOpacity() < 1.0) ||
     IsFaint(actor->GetTexture()) ||
     (property->GetInterpolation() == VTK_PBR && IsFaint(property->GetTexture("albedoTex")));
@@ -175,5 +176,11 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
   return mapper &&
     (mapper->IsA("vtkBatchedLabeledDataMapper") ||
       (mapper->IsA("vtkLabeledDataMapper") && SelectsVisiblePoints(mapper)));
+}
+
+bool vtkNBufferDrawOrder::DrawsSelection(vtkMapper* mapper)
+{
+  auto* drawn = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  return mapper->GetSelection() || (drawn && vtkNBufferProtectedMembers::DrawsSelection(drawn));
 }
 VTK_ABI_NAMESPACE_END

@@ -23,6 +23,7 @@
 #define vtkNBufferDrawOrder_h
 
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+class vtkMapper;
 class vtkProp;
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -30,6 +31,9 @@ namespace vtkNBufferDrawOrder
 {
 /// Whether a prop itself does one of these. The parts of an assembly are not looked at.
 bool MattersTo(vtkProp* prop);
+
+/// Whether a mapper has a selection, or still draws one.
+bool DrawsSelection(vtkMapper* mapper);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -5,7 +5,6 @@
 #include "vtkNBufferDrawOrder.h"
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferKnownClasses.h"
-#include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
@@ -15,7 +14,6 @@
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkVolume.h"
 
@@ -41,12 +39,6 @@ bool IsAffine(vtkMatrix4x4* matrix)
 {
   const double* row = matrix->Element[3];
   return row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0 && row[3] == 1.0;
-}
-
-bool DrawsSelection(vtkMapper* mapper)
-{
-  auto* drawn = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
-  return mapper->GetSelection() || (drawn && vtkNBufferProtectedMembers::DrawsSelection(drawn));
 }
 }
 
@@ -124,7 +116,8 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   }
   const bool linesOrPoints = this->Box.Margin > 0.0;
   if (!vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), linesOrPoints) ||
-    (linesOrPoints && vtkNBufferSurface::DrawsLines(mapper)) || DrawsSelection(mapper))
+    (linesOrPoints && vtkNBufferSurface::DrawsLines(mapper)) ||
+    vtkNBufferDrawOrder::DrawsSelection(mapper))
   {
     return vtkNBufferVerdict::NotASurface;
   }
