@@ -178,11 +178,14 @@ TEST(FuzzUndefined, NoTranslucentScalarsOfFilters)
 TEST(FuzzUndefined, NoSelectionsOfReleasedPropsAndOfThoseWithEdges)
 {
   Scenario scenario;
-  scenario.Props.resize(2);
+  scenario.Props.resize(3);
   scenario.Props[1].Id = 1;
+  scenario.Props[2].Id = 2;
+  scenario.Props[2].MapperOf = 0;
   scenario.Props[0].Edges = scenario.Props[1].Edges = true;
   scenario.Changes = { { 1, ChangeKind::MarkedCells, 0, { 1.0 } }, { 2, ChangeKind::Rejoin, 0, {} },
-    { 2, ChangeKind::Rejoin, 1, {} }, { 2, ChangeKind::NewContext, 0, {} } };
+    { 2, ChangeKind::Rejoin, 1, {} }, { 2, ChangeKind::Rejoin, 2, {} },
+    { 2, ChangeKind::NewContext, 0, {} } };
   RemoveUndefined(scenario);
   ASSERT_EQ(scenario.Changes.size(), 2u);
   EXPECT_EQ(scenario.Changes[1].Target, 1);

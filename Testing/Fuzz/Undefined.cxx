@@ -142,13 +142,21 @@ void RemoveUndefined(Scenario& scene)
     {
       RemoveChanges(scene, ChangeKind::Opacity, prop.Id);
     }
-    // VTK draws a selection of a mapper from buffers that it has released, and crashes. Where the
-    // prop has edges, the colors of the selection are arbitrary.
+    // VTK draws a selection of a mapper from buffers that it has released, also with another actor
+    // of the mapper, and crashes. Where the prop has edges, the colors of the selection are
+    // arbitrary.
     if (HasChange(scene, ChangeKind::MarkedCells, prop.Id))
     {
       prop.Edges = false;
       RemoveChanges(scene, ChangeKind::Edges, prop.Id);
-      RemoveChanges(scene, ChangeKind::Rejoin, prop.Id);
+      const auto getMapper = [](const Prop& p) { return p.MapperOf >= 0 ? p.MapperOf : p.Id; };
+      for (const Prop& other : scene.Props)
+      {
+        if (getMapper(other) == getMapper(prop))
+        {
+          RemoveChanges(scene, ChangeKind::Rejoin, other.Id);
+        }
+      }
       RemoveChanges(scene, ChangeKind::NewContext);
     }
     if (!MayShareMapper(scene, prop))
