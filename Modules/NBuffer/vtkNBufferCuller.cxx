@@ -185,8 +185,9 @@ double vtkNBufferCuller::Cull(
 {
   Internals::ViewEntry& entry = this->Implementation->GetView(renderer);
   vtkNBufferView& view = *entry.View;
-  vtkNBufferDecision obstacle =
-    this->Enabled ? vtkNBufferCompatibility::WhyNot(renderer, this) : vtkNBufferDecision::Disabled;
+  vtkNBufferDecision obstacle = this->Enabled
+    ? vtkNBufferCompatibility::WhyNot(renderer, this, propList, listLength)
+    : vtkNBufferDecision::Disabled;
   // This comes before the props are counted. A default frustum culler in front of this one may have
   // left only a few of many props, and it takes its time in each frame until it is moved.
   if (obstacle == vtkNBufferDecision::None && this->Tuning.TakeOverFrustumCulling)

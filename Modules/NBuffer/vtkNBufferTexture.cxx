@@ -88,13 +88,13 @@ bool vtkNBufferTexture::Internals::CheckArguments(vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, int x, int y, int width, int height, int factor, int levels)
 {
   this->Error.clear();
-  if (!source.Holds(x, y, width, height, this->Error))
-  {
-    return false;
-  }
   if (!window)
   {
     this->Error = "There is no render window. Pass the one that is drawn.";
+  }
+  else if (!source.Holds(x, y, width, height, this->Error))
+  {
+    return false;
   }
   else if (factor != 1 && factor != 2 && factor != 4 && factor != 8)
   {

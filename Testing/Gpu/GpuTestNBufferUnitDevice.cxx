@@ -248,13 +248,9 @@ protected:
         vtkNBufferHostList::Copy(this->Units.GetRanges(marked), { first, first + size }, records);
       EXPECT_TRUE(onHost.has_value());
     }
-    else if (areInstances)
-    {
-      this->Device.MakeList(choice, first, size, records, indices, this->List);
-    }
     else
     {
-      this->Device.MakeList(choice, size, records.front(), this->List);
+      this->Device.MakeList(choice, first, size, records, indices, areInstances, this->List);
     }
     EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
     if (onHost)

@@ -78,17 +78,14 @@ TEST(NBufferObservedObjects, RemovedObserversAreALoss)
 // one.
 TEST(NBufferObservedObjects, DeletedObjectsAreForgotten)
 {
-  for (const bool deletionIsChange : { false, true })
-  {
-    vtkNBufferObservedObjects objects(deletionIsChange);
-    auto property = vtkSmartPointer<vtkProperty>::New();
-    objects.Add(property);
-    property = nullptr;
-    EXPECT_EQ(objects.GetSize(), 0u);
-    // VTK 9.1 destroys observers before their object is without references.
-    const bool isLost = objects.TakeLoss();
-    EXPECT_EQ(objects.TakeChange(), deletionIsChange && !isLost);
-  }
+  vtkNBufferObservedObjects objects;
+  auto property = vtkSmartPointer<vtkProperty>::New();
+  objects.Add(property);
+  property = nullptr;
+  EXPECT_EQ(objects.GetSize(), 0u);
+  // VTK 9.1 destroys observers before their object is without references.
+  const bool isLost = objects.TakeLoss();
+  EXPECT_EQ(objects.TakeChange(), !isLost);
 }
 
 // Hazard: an event reaches an observer whose owner is deleted.

@@ -357,7 +357,7 @@ TEST(NBufferStamps, ActorsWithoutTransformsOfUsersAreObservedAsWell)
   {
     SCOPED_TRACE(name);
     vtkNBufferObservedObjects objects;
-    vtkNBufferObservedObjects actors(true);
+    vtkNBufferObservedObjects actors;
     StampedActor stamped;
     stamped.Actor->SetUserMatrix(nullptr);
     vtkNBufferPropWatch watch = Watch(stamped.Actor);

@@ -21,6 +21,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPlane.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -82,6 +83,25 @@ TEST_F(NBufferSurface, SubclassesMayDrawAnythingButCast)
   EXPECT_FALSE(vtkNBufferSurface::IsPlain(mapper));
   EXPECT_EQ(vtkNBufferSurface::GetOnlyPolyData(mapper), nullptr);
   EXPECT_EQ(this->GetParts().size(), 1u);
+}
+
+// Hazard: the bounds and the input of a mapper are those of one piece of many, or its polygons are
+// not what it draws.
+TEST_F(NBufferSurface, MappersThatDrawSomethingElseAreLeftOut)
+{
+  std::vector<vtkNBufferSurface::Part> parts;
+  vtkNew<vtkPointGaussianMapper> splats;
+  splats->SetInputData(RunSphereSource());
+  this->Actor->SetMapper(splats);
+  EXPECT_FALSE(vtkNBufferSurface().GetParts(this->Actor, this->Actor->GetMatrix(), parts));
+
+  this->Mapper->SetInputData(RunSphereSource());
+  this->Actor->SetMapper(this->Mapper);
+  EXPECT_EQ(this->GetParts().size(), 1u);
+  EXPECT_TRUE(vtkNBufferSurface::IsPlain(this->Mapper));
+  this->Mapper->SetNumberOfSubPieces(2);
+  EXPECT_FALSE(vtkNBufferSurface::IsPlain(this->Mapper));
+  EXPECT_FALSE(vtkNBufferSurface().GetParts(this->Actor, this->Actor->GetMatrix(), parts));
 }
 
 TEST_F(NBufferSurface, PartsArePlacedInTheWorld)
@@ -198,25 +218,23 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
   vtkNew<vtkSphereSource> source;
   this->Mapper->SetInputConnection(source->GetOutputPort());
   this->Mapper->Update();
-  EXPECT_FALSE(meshes.FindSmall(this->Actor, true, kept)) << "no frame has begun";
+  EXPECT_FALSE(meshes.FindSmall(this->Actor, kept)) << "no frame has begun";
   meshes.BeginFrame(none);
-  EXPECT_FALSE(meshes.FindSmall(this->Actor, false, kept));
-  ASSERT_TRUE(meshes.FindSmall(this->Actor, true, kept));
+  ASSERT_TRUE(meshes.FindSmall(this->Actor, kept));
   EXPECT_EQ(kept.Small->Triangles.size(), 96u);
   kept.First = 5;
-  ASSERT_TRUE(meshes.FindSmall(this->Actor, false, kept));
+  ASSERT_TRUE(meshes.FindSmall(this->Actor, kept));
   EXPECT_EQ(kept.First, 5u);
 
   source->SetThetaResolution(20);
   this->Mapper->Update();
   kept = {};
-  EXPECT_FALSE(meshes.FindSmall(this->Actor, false, kept));
-  ASSERT_TRUE(meshes.FindSmall(this->Actor, true, kept));
+  ASSERT_TRUE(meshes.FindSmall(this->Actor, kept));
   EXPECT_EQ(kept.Small->Triangles.size(), 240u);
   source->SetThetaResolution(40);
   this->Mapper->Update();
   kept = {};
-  EXPECT_FALSE(meshes.FindSmall(this->Actor, true, kept)) << "too many triangles";
+  EXPECT_FALSE(meshes.FindSmall(this->Actor, kept)) << "too many triangles";
 
   std::vector<vtkSmartPointer<vtkActor>> actors;
   std::vector<vtkNBufferMeshes::OfProp> keptOfActors(150);
@@ -226,7 +244,7 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
     int count = 0;
     for (std::size_t i = 0; i < actors.size(); ++i)
     {
-      count += meshes.FindSmall(actors[i], true, keptOfActors[i]) ? 1 : 0;
+      count += meshes.FindSmall(actors[i], keptOfActors[i]) ? 1 : 0;
     }
     return count;
   };

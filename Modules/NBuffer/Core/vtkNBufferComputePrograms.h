@@ -62,8 +62,8 @@ public:
 /// Bind a buffer as shader storage of this number.
 VTKNBUFFER_EXPORT void BindStorage(unsigned int number, unsigned int buffer);
 
-/// Give a buffer at least `bytes` bytes, copied from `data` unless that is nullptr. A buffer that has
-/// them keeps its memory.
+/// Give a buffer at least `bytes` bytes, copied from `data` unless that is nullptr. A buffer that
+/// has them keeps its memory.
 VTKNBUFFER_EXPORT void AllocateStorage(
   unsigned int buffer, std::size_t bytes, const void* data = nullptr);
 
@@ -72,4 +72,3 @@ VTKNBUFFER_EXPORT std::size_t GetLargestStorage();
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferComputePrograms.h

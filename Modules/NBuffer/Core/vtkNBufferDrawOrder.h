@@ -38,4 +38,3 @@ bool DrawsSelection(vtkMapper* mapper);
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferDrawOrder.h

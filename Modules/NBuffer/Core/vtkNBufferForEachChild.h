@@ -36,4 +36,3 @@ void vtkNBufferForEachChild(vtkDataObjectTree* tree, const Visit& visit)
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferForEachChild.h

@@ -96,4 +96,3 @@ void RunAhead(
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferForEachProp.h

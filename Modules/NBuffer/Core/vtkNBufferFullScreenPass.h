@@ -80,4 +80,3 @@ private:
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferFullScreenPass.h

@@ -103,22 +103,21 @@ VTKNBUFFER_EXPORT void SetMatrix(
   vtkShaderProgram* program, const char* name, const glm::dmat4& matrix);
 
 /**
- * Base class of the scopes below. When a scope ends, it undoes each of its changes of the state,
- * the last change first.
+ * When a scope ends, it undoes changes of the state, the last change first, even if an observer of
+ * the application throws an exception. It is the base class of the scopes below.
  */
 class VTKNBUFFER_EXPORT Scope
 {
 public:
-  Scope(const Scope&) = delete;
-  void operator=(const Scope&) = delete;
-
-protected:
   Scope() = default;
   ~Scope();
+  Scope(const Scope&) = delete;
+  void operator=(const Scope&) = delete;
 
   /// Call undo() when the scope ends.
   void AtEnd(std::function<void()> undo) { this->Changes.push_back(std::move(undo)); }
 
+protected:
   /// Restore the current framebuffer bindings when the scope ends.
   void SaveFramebuffers();
 
@@ -191,4 +190,3 @@ public:
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferGL.h

@@ -139,4 +139,3 @@ VTKNBUFFER_EXPORT void SetPlainSampling(unsigned int target);
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferGLObject.h

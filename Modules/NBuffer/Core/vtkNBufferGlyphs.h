@@ -53,4 +53,3 @@ VTKNBUFFER_EXPORT std::vector<std::array<double, 16>> GetMatrices(vtkGlyph3DMapp
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferGlyphs.h

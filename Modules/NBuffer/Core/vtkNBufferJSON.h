@@ -48,4 +48,3 @@ inline std::string Write(const Json::Value& json)
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferJSON.h

@@ -3,7 +3,9 @@
 #include "vtkNBufferMeshes.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkMapper.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <iterator>
@@ -12,6 +14,15 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr int FramesToKeep = 256;
+
+/// Whether a mapper may go on drawing the triangles into which it has divided polygons before their
+/// points moved. Those of triangles and quadrilaterals do not depend on the points.
+bool MayHaveOldTriangles(vtkPolyData* data)
+{
+  vtkPoints* points = data->GetPoints();
+  return points && points->GetMTime() > data->GetPolys()->GetMTime() &&
+    data->GetPolys()->GetMaxCellSize() > 4;
+}
 }
 
 void vtkNBufferMeshes::BeginFrame(std::vector<OfProp>& kept)
@@ -71,16 +82,16 @@ const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferMeshes::Get(
   return kept.Meshes;
 }
 
-bool vtkNBufferMeshes::FindSmall(vtkProp* prop, bool mayCopy, OfProp& kept)
+bool vtkNBufferMeshes::FindSmall(vtkProp* prop, OfProp& kept)
 {
   kept.Frame = this->Frame;
-  if (!kept.Small && !kept.IsTooLarge && mayCopy && this->CopiesLeft > 0)
+  if (!kept.Small && !kept.IsTooLarge && this->CopiesLeft > 0)
   {
     vtkActor* actor = vtkActor::SafeDownCast(prop);
     vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
     auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
-    kept.IsTooLarge =
-      !data || data->GetNumberOfPolys() > MaximumNumberOfPolygons || data->GetNumberOfStrips() > 0;
+    kept.IsTooLarge = !data || data->GetNumberOfPolys() > MaximumNumberOfPolygons ||
+      data->GetNumberOfStrips() > 0 || MayHaveOldTriangles(data);
     if (!kept.IsTooLarge)
     {
       --this->CopiesLeft;

@@ -69,13 +69,14 @@ public:
 
   /**
    * Set `kept.Small` to the triangles of an actor whose data is a polydata with at most
-   * MaximumNumberOfPolygons polygons and without strips. Returns whether they are known now.
-   * Copying them takes about 10 microseconds, because polygons have to be triangulated, and much
-   * more where VTK wakes threads for that (vtkNBufferForEachProp::RunInOneThread). They are copied
-   * only if `mayCopy` is true, and for at most CopiesPerFrame actors in a frame. As for Get(),
-   * `kept` must be replaced by an empty one if the actor or its data changes.
+   * MaximumNumberOfPolygons polygons and without strips, unless polygons of more than four points
+   * are older than the points: VTK may still draw their old triangles. Returns whether the
+   * triangles are known now. Copying them takes about 10 microseconds, because polygons have to be
+   * triangulated, and much more where VTK wakes threads for that
+   * (vtkNBufferForEachProp::RunInOneThread). They are copied for at most CopiesPerFrame actors in a
+   * frame. As for Get(), `kept` must be replaced by an empty one if the actor or its data changes.
    */
-  bool FindSmall(vtkProp* prop, bool mayCopy, OfProp& kept);
+  bool FindSmall(vtkProp* prop, OfProp& kept);
 
 private:
   static constexpr vtkIdType MaximumNumberOfPolygons = 256;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <variant>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -26,27 +27,16 @@ template <typename Struct>
 struct vtkNBufferNamedMember
 {
   const char* Name;
-  int Struct::*Number = nullptr;
+  std::variant<int Struct::*, bool Struct::*> Member;
   int Lowest = 0;
-  int Highest = 1;
-  bool Struct::*Switch = nullptr; ///< Used instead of Number for a switch.
+  int Highest = 1; ///< A switch is 0 or 1.
 
-  constexpr vtkNBufferNamedMember(const char* name, int Struct::*number, int lowest, int highest)
-    : Name(name)
-    , Number(number)
-    , Lowest(lowest)
-    , Highest(highest)
-  {
-  }
-  constexpr vtkNBufferNamedMember(const char* name, bool Struct::*member)
-    : Name(name)
-    , Switch(member)
-  {
-  }
+  bool IsSwitch() const { return this->Member.index() == 1; }
 
   int Get(const Struct& object) const
   {
-    return this->Number ? object.*this->Number : static_cast<int>(object.*this->Switch);
+    return std::visit(
+      [&object](auto member) { return static_cast<int>(object.*member); }, this->Member);
   }
 };
 
@@ -79,18 +69,11 @@ bool Set(const vtkNBufferNamedMember<Struct> (&members)[N], Struct& object, cons
   int value)
 {
   const vtkNBufferNamedMember<Struct>* member = Find(members, name);
-  if (!member || (member->Switch && value != 0 && value != 1))
+  if (!member || (member->IsSwitch() && value != 0 && value != 1))
   {
     return false;
   }
-  if (member->Switch)
-  {
-    object.*member->Switch = value == 1;
-  }
-  else
-  {
-    object.*member->Number = value;
-  }
+  std::visit([&](auto place) { object.*place = value; }, member->Member);
   return true;
 }
 
@@ -134,4 +117,3 @@ void Print(const vtkNBufferNamedMember<Struct> (&members)[N], const Struct& obje
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferNamedMembers.h

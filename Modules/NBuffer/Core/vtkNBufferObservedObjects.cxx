@@ -15,7 +15,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 struct vtkNBufferObservedObjects::Record
 {
-  bool DeletionIsChange = false;
   std::atomic<bool> Changed{ false };
   std::atomic<bool> Lost{ false };
   std::mutex Mutex; ///< Guards Commands.
@@ -59,7 +58,7 @@ protected:
     {
       this->Shared->Lost = true;
     }
-    if (isDeleted && this->Shared->DeletionIsChange)
+    if (isDeleted)
     {
       this->Shared->Changed = true;
     }
@@ -71,10 +70,9 @@ private:
   bool IsDone = false;
 };
 
-vtkNBufferObservedObjects::vtkNBufferObservedObjects(bool deletionIsChange)
+vtkNBufferObservedObjects::vtkNBufferObservedObjects()
   : Shared(std::make_shared<Record>())
 {
-  this->Shared->DeletionIsChange = deletionIsChange;
 }
 
 vtkNBufferObservedObjects::~vtkNBufferObservedObjects()

@@ -37,8 +37,7 @@ public:
   /// than their memory is worth.
   static constexpr std::size_t MaximumSize = 1 << 18;
 
-  /// If `deletionIsChange` is true, TakeChange() also returns true if an object was deleted.
-  explicit vtkNBufferObservedObjects(bool deletionIsChange = false);
+  vtkNBufferObservedObjects();
   ~vtkNBufferObservedObjects();
   vtkNBufferObservedObjects(const vtkNBufferObservedObjects&) = delete;
   void operator=(const vtkNBufferObservedObjects&) = delete;
@@ -46,7 +45,7 @@ public:
   /// Observe an object from now on. Returns false if MaximumSize objects are observed already.
   bool Add(vtkObject* object);
 
-  /// Whether any object was modified (or deleted, see the constructor) since the last call.
+  /// Whether any object was modified or deleted since the last call.
   bool TakeChange();
 
   /// Whether other code has removed the observer of any living object since the last call. It is

@@ -120,4 +120,3 @@ private:
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferPropList.h

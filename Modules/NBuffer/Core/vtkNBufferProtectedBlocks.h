@@ -137,4 +137,3 @@ inline unsigned int GetFlatIndex(const BlockMap::value_type& block)
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferProtectedBlocks.h

@@ -74,9 +74,9 @@ inline bool DrawsSelection(vtkOpenGLPolyDataMapper* mapper)
     [](const vtkOpenGLHelper& stream) { return stream.IBO->IndexCount > 0; });
 }
 
-/// The stream (index buffer, program and vertex array) that a mapper is about to draw, while it sets
-/// the parameters of its shader; nullptr unless the mapper draws only the triangles of polygons,
-/// only those of strips, or only points.
+/// The stream (index buffer, program and vertex array) that a mapper is about to draw, while it
+/// sets the parameters of its shader; nullptr unless the mapper draws only the triangles of
+/// polygons, only those of strips, or only points.
 inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
 {
   struct Access : vtkOpenGLPolyDataMapper
@@ -196,4 +196,3 @@ inline vtkScalarsToColors* const& GetLookupTable(const vtkMapper* mapper)
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferProtectedMembers.h

@@ -83,4 +83,3 @@ VTK_ABI_NAMESPACE_END
 #endif
 
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferResourceCallback.h

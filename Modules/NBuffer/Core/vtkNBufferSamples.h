@@ -44,4 +44,3 @@ struct vtkNBufferSamples
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferSamples.h

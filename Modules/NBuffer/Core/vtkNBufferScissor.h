@@ -56,4 +56,3 @@ int DrawIn(const std::vector<vtkNBufferRectangle>& regions, Functor&& draw)
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferScissor.h

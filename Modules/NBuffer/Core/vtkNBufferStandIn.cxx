@@ -10,26 +10,6 @@
 #include "vtkOpenGLRenderPass.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-void vtkNBufferStandIn::RestoreEstimatedRenderTime()
-{
-  this->ForEachDrawnProp([](vtkProp* prop) { prop->RestoreEstimatedRenderTime(); });
-}
-
-double vtkNBufferStandIn::GetEstimatedRenderTime()
-{
-  double time = 0.0;
-  this->ForEachDrawnProp([&time](vtkProp* prop) { time += prop->GetEstimatedRenderTime(); });
-  return time;
-}
-
-double vtkNBufferStandIn::GetEstimatedRenderTime(vtkViewport* viewport)
-{
-  double time = 0.0;
-  this->ForEachDrawnProp(
-    [&time, viewport](vtkProp* prop) { time += prop->GetEstimatedRenderTime(viewport); });
-  return time;
-}
-
 vtkNBufferStandIn::ForwardedKeys::ForwardedKeys(vtkNBufferStandIn* standIn, vtkProp* to)
 {
   vtkInformation* from = standIn->GetPropertyKeys();

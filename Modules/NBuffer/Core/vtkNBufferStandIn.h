@@ -5,16 +5,11 @@
  * @brief Base class of the props that vtkNBufferCuller puts into a renderer's list in the place of
  * the renderer's own props.
  *
- * A renderer and its passes treat a stand-in as any other prop. What they set on a stand-in and
- * query from it concerns the props that it represents, so this class forwards both to them:
- *
- *     property keys     Render passes speak to props through vtkProp::GetPropertyKeys().
- *                       vtkOpenGLRenderPass::RenderPasses() lets a pass change the shaders of the
- *                       mappers, and vtkOpenGLActor::GLDepthMaskOverride() switches the writing of
- *                       depth while depth peeling draws. A ForwardedKeys object copies both to a
- *                       represented prop for the time in which that prop is drawn.
- *     estimated time    vtkRenderer adds up the render times of the props in its list. The
- *                       estimated time of a stand-in is the sum over the props that it has drawn.
+ * A renderer and its passes treat a stand-in as any other prop. Render passes speak to props
+ * through vtkProp::GetPropertyKeys(): vtkOpenGLRenderPass::RenderPasses() lets a pass change the
+ * shaders of the mappers, and vtkOpenGLActor::GLDepthMaskOverride() switches the writing of depth
+ * while depth peeling draws. A ForwardedKeys object copies both from a stand-in to a prop that it
+ * represents, for the time in which that prop is drawn.
  *
  * Code outside the culler recognises stand-ins by this class and needs to know nothing else about
  * the culler.
@@ -40,19 +35,9 @@ public:
   /// number of props drawn.
   using Drawer = std::function<int(const std::function<int()>& drawWhole)>;
 
-  ///@{
-  /// Forwarded to the represented props that are drawn.
-  void RestoreEstimatedRenderTime() override;
-  double GetEstimatedRenderTime(vtkViewport* viewport) override;
-  double GetEstimatedRenderTime() override;
-  ///@}
-
 protected:
   vtkNBufferStandIn() = default;
   ~vtkNBufferStandIn() override = default;
-
-  /// Call `visit` for each represented prop that is drawn in this frame.
-  virtual void ForEachDrawnProp(const std::function<void(vtkProp*)>& visit) = 0;
 
   /**
    * Lends the property keys of a stand-in to a prop: the prop has them from the construction of

@@ -107,7 +107,7 @@ bool vtkNBufferTextureStorage::BindDepth(const vtkNBufferDepthSource& source, in
   }
   if (!source.ExceedsFloats())
   {
-    if (!this->ReserveCopy(source, width, height, why))
+    if (!this->Copy.Reserve(GetCopyFormat(source), width, height, why))
     {
       return false;
     }
@@ -119,7 +119,9 @@ bool vtkNBufferTextureStorage::BindDepth(const vtkNBufferDepthSource& source, in
   // Depth can be copied as integers only through a buffer object. That costs little: graphics
   // devices lack this depth format, and software renderers copy it without a conversion.
   depth.Kind = NBUFFER_SOURCE_INTEGER;
-  if (!this->ReserveIntegers(width, height, why))
+  const std::size_t bytes = sizeof(GLuint) * static_cast<std::size_t>(width) * height;
+  if (!this->ReserveBuffer(this->IntegerBuffer, GL_STREAM_COPY, bytes, why) ||
+    !this->Integers.Reserve(GL_R32UI, width, height, why))
   {
     return false;
   }
@@ -135,19 +137,6 @@ bool vtkNBufferTextureStorage::BindDepth(const vtkNBufferDepthSource& source, in
       GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   }
   return vtkNBufferGL::CheckErrors("Copying the depth buffer as integers", why);
-}
-
-bool vtkNBufferTextureStorage::ReserveCopy(
-  const vtkNBufferDepthSource& source, int width, int height, std::string& why)
-{
-  return this->Copy.Reserve(GetCopyFormat(source), width, height, why);
-}
-
-bool vtkNBufferTextureStorage::ReserveIntegers(int width, int height, std::string& why)
-{
-  const std::size_t bytes = sizeof(GLuint) * static_cast<std::size_t>(width) * height;
-  return this->ReserveBuffer(this->IntegerBuffer, GL_STREAM_COPY, bytes, why) &&
-    this->Integers.Reserve(GL_R32UI, width, height, why);
 }
 
 bool vtkNBufferTextureStorage::Read(const std::vector<vtkNBufferRectangle>& rectangles, int levels,

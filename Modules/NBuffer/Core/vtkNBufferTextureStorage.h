@@ -83,12 +83,6 @@ private:
     std::size_t Bytes = 0;
   };
 
-  ///@{
-  /// Make room for a copy of a rectangle of depth, or for one as integers and for the buffer
-  /// through which it is copied. They return false, with the cause in `why`, if OpenGL refuses.
-  bool ReserveCopy(const vtkNBufferDepthSource& source, int width, int height, std::string& why);
-  bool ReserveIntegers(int width, int height, std::string& why);
-  ///@}
   bool ReserveBuffer(Buffer& buffer, unsigned int usage, std::size_t bytes, std::string& why);
   bool AllocateArrays(int width, int height, int levels, int channels, std::string& why);
   bool AllocateFramebuffers(int levels, std::string& why);
@@ -108,4 +102,3 @@ private:
 };
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferTextureStorage.h

@@ -222,9 +222,7 @@ void vtkNBufferCandidateList::FindSharedState()
         otherParameters = otherParameters || place == vtkNBufferSharedState::Parameters;
       }
     }
-    this->SharesState = this->SharesState ||
-      state.IsMixed(uses, vtkNBufferSharedState::LookupTable) ||
-      state.IsMixed(uses, vtkNBufferSharedState::Points);
+    this->SharesState = this->SharesState || state.HasMixedData(uses);
   };
   this->OtherShaders.clear();
   std::unordered_set<const vtkMapper*> mappersOfParts;
@@ -378,7 +376,7 @@ void vtkNBufferCandidateList::CopyTriangles(const std::vector<int>& places)
   {
     if (hasToCopy(i))
     {
-      this->Meshes.FindSmall(this->GetProp(i), true, this->MeshesOfProps[i]);
+      this->Meshes.FindSmall(this->GetProp(i), this->MeshesOfProps[i]);
     }
   };
   if (std::any_of(places.begin(), places.end(), hasToCopy))
@@ -399,7 +397,7 @@ std::optional<bool> vtkNBufferCandidateList::MayBeSeen(
     return {};
   }
   auto* actor = static_cast<vtkActor*>(this->GetProp(i));
-  this->Meshes.FindSmall(actor, false, meshes);
+  this->Meshes.FindSmall(actor, meshes);
   return test.MayBeSeen(
     *meshes.Small, actor->GetMatrix()->GetData(), this->GetScreen(i), meshes.First, count);
 }

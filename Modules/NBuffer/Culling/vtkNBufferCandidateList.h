@@ -170,9 +170,9 @@ private:
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
   /// The objects of props, except for actors. VTK replaces some of them without a newer time of
   /// their owner: vtkPolyData::RemoveDeletedCells() deletes arrays of cells.
-  vtkNBufferObservedObjects Observed{ true };
+  vtkNBufferObservedObjects Observed;
   /// A deleted actor counts as changed, because another prop may have been made at its address.
-  vtkNBufferObservedObjects ObservedActors{ true };
+  vtkNBufferObservedObjects ObservedActors;
   int HierarchySize = VTK_INT_MAX;
   int ObserveAfter = 0;
   int FramesOfTurn = 0;       ///< Frames since the current turn of ObserveSome() began.

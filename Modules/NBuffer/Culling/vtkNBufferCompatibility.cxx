@@ -10,7 +10,6 @@
 #include "vtkNBufferRenderPassTraits.h"
 #include "vtkNBufferVTKVersion.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkCuller.h"
@@ -18,14 +17,13 @@
 #include "vtkDepthPeelingPass.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFrustumCoverageCuller.h"
+#include "vtkHiddenLineRemovalPass.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLGL2PSHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkProp.h"
-#include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
@@ -111,23 +109,6 @@ bool AnyPass(vtkRenderPass* pass, Predicate&& predicate)
 bool IsUnknownPass(vtkRenderPass* pass)
 {
   return !GetTraits(pass) && !vtkNBufferKnownClasses::IsKnown(pass);
-}
-
-bool HasWireframes(vtkRenderer* renderer)
-{
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator cookie;
-  props->InitTraversal(cookie);
-  while (vtkProp* prop = props->GetNextProp(cookie))
-  {
-    auto* actor = vtkActor::SafeDownCast(prop);
-    if (actor && actor->GetVisibility() &&
-      actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// Whether VTK draws any of the props in a way that is meant for its own depth alone. An offset
@@ -239,7 +220,7 @@ DrawingSettings GetDrawingSettings(vtkRenderer* renderer)
   return settings;
 }
 
-vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self)
+vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self, vtkProp** props, int count)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || window->GetContextCreationTime() == 0)
@@ -284,7 +265,8 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self)
   {
     return vtkNBufferDecision::Exporting;
   }
-  if (renderer->GetUseHiddenLineRemoval() && HasWireframes(renderer))
+  if (renderer->GetUseHiddenLineRemoval() &&
+    vtkHiddenLineRemovalPass::WireframePropsExist(props, count))
   {
     return vtkNBufferDecision::HiddenLines;
   }

@@ -28,14 +28,17 @@ class vtkCuller;
 class vtkCullerCollection;
 class vtkNBufferCandidateList;
 struct vtkNBufferDepthSource;
+class vtkProp;
 class vtkRenderPass;
 class vtkRenderer;
 struct vtkNBufferViewKey;
 
 namespace vtkNBufferCompatibility
 {
-/// Get the reason why `self` must not cull the next frame of `renderer`, or None if it may.
-VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self);
+/// Get the reason why `self` must not cull the next frame of `renderer`, or None if it may. `props`
+/// are those in the renderer's list.
+VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(
+  vtkRenderer* renderer, vtkCuller* self, vtkProp** props, int count);
 
 /// Move the frustum cullers that have default settings and run before `self` to the end of the
 /// collection, so that they run last: the frustum test of vtkNBufferView does everything that they

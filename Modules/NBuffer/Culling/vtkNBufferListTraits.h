@@ -52,4 +52,3 @@ struct vtkNBufferListTraits
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferListTraits.h

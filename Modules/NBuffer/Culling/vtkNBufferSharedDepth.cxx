@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSharedDepth.h"
 
-#include "vtkNBufferCamera.h"
 #include "vtkNBufferClock.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferLevels.h"
 
-#include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -17,30 +15,6 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// The numbers of this rank's view, by which it notices that the view has changed.
-std::vector<double> GetSharedView(vtkRenderer* renderer)
-{
-  std::vector<double> view(26);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->GetPosition(&view[0]);
-  camera->GetFocalPoint(&view[3]);
-  camera->GetViewUp(&view[6]);
-  camera->GetClippingRange(&view[9]);
-  camera->GetWindowCenter(&view[11]);
-  view[13] = camera->GetViewAngle();
-  view[14] = camera->GetParallelScale();
-  view[15] = camera->GetParallelProjection();
-  view[16] = camera->GetLeftEye();
-  renderer->GetViewport(&view[17]);
-  int* const size = renderer->GetVTKWindow()->GetSize();
-  std::copy(size, size + 2, &view[21]);
-  camera->GetViewShear(&view[23]);
-  return view;
-}
-}
-
 void vtkNBufferSharedDepth::BeginFrame(vtkRenderer* renderer, const Layout& layout)
 {
   if (this->HasBegun)
@@ -56,9 +30,6 @@ void vtkNBufferSharedDepth::BeginFrame(vtkRenderer* renderer, const Layout& layo
   this->Current = layout;
   this->Report = vtkNBufferRankReport();
   this->Plan.BeginFrame(!this->Agreed.empty() && this->Agreed.back() > 0.0F);
-  std::vector<double> view = GetSharedView(renderer);
-  this->HasMoved = view != this->View;
-  this->View.swap(view);
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
@@ -66,12 +37,14 @@ void vtkNBufferSharedDepth::BeginFrame(vtkRenderer* renderer, const Layout& layo
   {
     this->Size[i] = vtkNBufferMath::GetBaseSize(std::max(size[i], 0), layout.TileSize);
   }
-  if (this->IsShared() && vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  if (vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
-    const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
-    auto end = std::transform(key.WorldToClip.begin(), key.WorldToClip.end(),
-      this->Report.View.begin(), [](double value) { return static_cast<float>(value); });
-    std::copy(key.Viewport.begin(), key.Viewport.end(), end);
+    const vtkNBufferViewKey last = std::exchange(this->View, vtkNBufferViewKey::Make(renderer));
+    this->HasMoved = !this->View.HasSameView(last);
+    const auto& toClip = this->View.WorldToClip;
+    auto end = std::transform(toClip.begin(), toClip.end(), this->Report.View.begin(),
+      [](double value) { return static_cast<float>(value); });
+    std::copy(this->View.Viewport.begin(), this->View.Viewport.end(), end);
   }
 }
 

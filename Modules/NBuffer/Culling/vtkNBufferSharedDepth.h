@@ -37,6 +37,7 @@
 #ifndef vtkNBufferSharedDepth_h
 #define vtkNBufferSharedDepth_h
 
+#include "vtkNBufferCamera.h"
 #include "vtkNBufferExchangeMessage.h"
 #include "vtkNBufferExchangePlan.h"
 
@@ -139,7 +140,7 @@ private:
   vtkNBufferRankReport Report;
   Counts Frame;
   Counts LastCounts;
-  std::vector<double> View;  ///< The view of the last frame.
+  vtkNBufferViewKey View;    ///< That of the last frame.
   std::vector<float> Minima; ///< The last reply; it begins with level 0 of all ranks.
   int Size[2] = { 0, 0 };    ///< The size of level 0, in texels.
   std::vector<float> Agreed; ///< What all ranks have agreed on; empty if they have not.

@@ -169,14 +169,6 @@ bool vtkNBufferView::HasHeldPropWithKeys(vtkInformation* requiredKeys) const
       [&](int i) { return this->Props.GetProp(i)->HasKeys(requiredKeys); });
 }
 
-void vtkNBufferView::ForEachDrawnHeldProp(const std::function<void(vtkProp*)>& visit) const
-{
-  for (const vtkNBufferDrawnProp& drawn : this->Draws.Get())
-  {
-    visit(this->Props.GetProp(drawn.Index));
-  }
-}
-
 int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys)
 {
   if (this->State == Phase::AwaitingProxy && !requiredKeys)

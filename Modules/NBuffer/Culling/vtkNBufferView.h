@@ -101,7 +101,6 @@ private:
   /// See vtkNBufferDeferredProxy::Owner.
   int DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys) override;
   bool HasHeldPropWithKeys(vtkInformation* requiredKeys) const override;
-  void ForEachDrawnHeldProp(const std::function<void(vtkProp*)>& visit) const override;
   ///@}
 
   ///@{

@@ -30,4 +30,3 @@ struct VTKNBUFFER_EXPORT vtkShadowCamera
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowCamera.h

@@ -24,25 +24,6 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// Calls a function when it ends, even if an observer of the application throws an exception.
-class AtEnd
-{
-public:
-  explicit AtEnd(std::function<void()> function)
-    : Function(std::move(function))
-  {
-  }
-  ~AtEnd() { this->Function(); }
-  AtEnd(const AtEnd&) = delete;
-  void operator=(const AtEnd&) = delete;
-
-private:
-  std::function<void()> Function;
-};
-}
-
 vtkShadowOpaqueStage::vtkShadowOpaqueStage(vtkOpenGLRenderPass* pass)
   : Pass(pass)
   , ResourceCallback(new Callback(this, &vtkShadowOpaqueStage::ReleaseObjects))
@@ -106,7 +87,8 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   // The shaders that will draw the colour also draw the depth, so that both have the same depth to
   // the bit, and no mapper has to build its shaders twice.
   this->JoinProps(state);
-  std::optional<AtEnd> leave(std::in_place, [&] { this->LeaveProps(state); });
+  std::optional<vtkNBufferGL::Scope> leave(std::in_place);
+  leave->AtEnd([&] { this->LeaveProps(state); });
   if (!still)
   {
     this->Key = vtkShadowFrameKey();
@@ -163,7 +145,8 @@ bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings
   receivers.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   this->Masks.BeginDepth(this->Window);
   {
-    const AtEnd pop([this] { this->Window->GetState()->PopFramebufferBindings(); });
+    vtkNBufferGL::Scope pop;
+    pop.AtEnd([this] { this->Window->GetState()->PopFramebufferBindings(); });
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Depth);
     this->Draw(&receivers, vtkShadowShading::Purpose::Depth);
   }

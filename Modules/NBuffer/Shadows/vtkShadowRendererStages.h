@@ -62,4 +62,3 @@ public:
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowRendererStages.h

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <chrono>
 #include <new>
-#include <system_error>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -58,8 +57,10 @@ void vtkNBufferDividedProp::Release()
 void vtkNBufferDividedProp::BeginFrame(bool changed, vtkOpenGLRenderWindow* window,
   vtkNBufferUnitDevice* device, const vtkNBufferTuning& tuning)
 {
-  const bool isStale = this->State == Phase::Ready && (this->Hook.IsStale() || this->IsOutdated);
-  if (changed && this->State == Phase::Ready && this->HasSameData())
+  const bool isLost = this->Pass->AttachAgain(this->Actor);
+  const bool isStale =
+    isLost || (this->State == Phase::Ready && (this->Hook.IsStale() || this->IsOutdated));
+  if (changed && !isLost && this->State == Phase::Ready && this->HasSameData())
   {
     this->ReadRounding();
   }
@@ -148,22 +149,10 @@ void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
   const std::size_t size = isSingle ? 1 : static_cast<std::size_t>(tuning.UnitSize);
   // No other code uses the member Mesh until the units are made.
   const auto make = [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); };
-  bool isStarted = tuning.DivideInBackground;
-  try
-  {
-    if (isStarted)
-    {
-      this->Pending = std::async(std::launch::async, make);
-    }
-  }
-  catch (const std::system_error&) // No thread can be started.
-  {
-    isStarted = false;
-  }
-  if (!isStarted)
-  {
-    this->Pending = std::async(std::launch::deferred, make);
-  }
+  // If no thread can be started, the units are made when they are needed.
+  this->Pending = std::async(
+    tuning.DivideInBackground ? std::launch::async | std::launch::deferred : std::launch::deferred,
+    make);
 }
 
 void vtkNBufferDividedProp::Adopt()

@@ -55,7 +55,6 @@ public:
   using Depth = vtkNBufferUnitCulling::Depth;
   using Counts = vtkNBufferUnitCulling::Counts;
 
-  /// `pass` has to outlive this object.
   vtkNBufferDividedProp(vtkActor* actor, vtkNBufferDrawPass* pass);
   ~vtkNBufferDividedProp();
   vtkNBufferDividedProp(const vtkNBufferDividedProp&) = delete;

@@ -15,6 +15,8 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
+#include VTKNBUFFER_GL_HEADER
+
 #include <algorithm>
 #include <optional>
 #include <typeinfo>
@@ -144,14 +146,8 @@ bool vtkNBufferDrawHook::MakeList(const Buffer& buffer, const vtkNBufferUnits::R
   const std::size_t size = part.End - part.Begin;
   if (buffer.IsOnDevice)
   {
-    if (this->Read.AreInstances)
-    {
-      this->Device->MakeList(buffer.Choice, part.Begin, size, records, indices, list);
-    }
-    else
-    {
-      this->Device->MakeList(buffer.Choice, size, records.front(), list);
-    }
+    this->Device->MakeList(
+      buffer.Choice, part.Begin, size, records, indices, this->Read.AreInstances, list);
     return true;
   }
   const std::optional<std::size_t> copied = vtkNBufferHostList::Copy(buffer.Ranges, part, records);
@@ -175,6 +171,13 @@ void vtkNBufferDrawHook::BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop)
     return;
   }
   this->Restore();
+  // A mapper that another window has drawn before releases its objects there, after which VTK goes
+  // on in the context of that window, to which the buffers of the hook do not belong.
+  if (!glIsSync(static_cast<GLsync>(this->Context)))
+  {
+    this->Stale = true;
+    return;
+  }
   if (vtkNBufferBlockStream::DrawsBlocks(mapper))
   {
     this->SetBlocks(mapper);
@@ -320,8 +323,21 @@ void vtkNBufferDrawHook::ReadSource(
   }
 }
 
+void vtkNBufferDrawHook::BeginFrame(vtkOpenGLRenderWindow* window, vtkNBufferUnitDevice* device)
+{
+  this->Resources->RegisterGraphicsResources(window);
+  this->Blocks.BeginFrame();
+  this->Window = window;
+  this->Device = device;
+  if (!this->Context)
+  {
+    this->Context = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  }
+}
+
 void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
 {
+  glDeleteSync(static_cast<GLsync>(std::exchange(this->Context, nullptr)));
   for (Buffer& buffer : this->Buffers)
   {
     buffer.Object->ReleaseGraphicsResources();

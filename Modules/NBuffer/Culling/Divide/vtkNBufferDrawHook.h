@@ -58,7 +58,7 @@ class vtkWindow;
 class vtkNBufferDrawHook
 {
 public:
-  /// `pass` must outlive the hook, and be in the property keys of the props that it draws.
+  /// `pass` must be in the property keys of the props that it draws.
   explicit vtkNBufferDrawHook(vtkNBufferDrawPass* pass);
   ~vtkNBufferDrawHook();
   vtkNBufferDrawHook(const vtkNBufferDrawHook&) = delete;
@@ -101,13 +101,7 @@ public:
 
   /// Begin a frame of a window. The buffers of the hook are released with its context. `device` is
   /// nullptr, or makes lists and tests units on the graphics device.
-  void BeginFrame(vtkOpenGLRenderWindow* window, vtkNBufferUnitDevice* device)
-  {
-    this->Resources->RegisterGraphicsResources(window);
-    this->Blocks.BeginFrame();
-    this->Window = window;
-    this->Device = device;
-  }
+  void BeginFrame(vtkOpenGLRenderWindow* window, vtkNBufferUnitDevice* device);
 
   /// Let the next draw read what it draws, for GetSource() and TakeMesh().
   void ReadNext();
@@ -192,6 +186,7 @@ private:
   vtkNBufferBlockStream Blocks;
   vtkNBufferOwnDraw Own;
   vtkOpenGLRenderWindow* Window = nullptr;
+  void* Context = nullptr; ///< A GLsync, which no context but that of the window knows.
   vtkNBufferUnitDevice* Device = nullptr;
   vtkNBufferUnitDevice::Buffers OnDevice;
 };

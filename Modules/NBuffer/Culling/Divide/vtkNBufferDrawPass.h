@@ -17,11 +17,6 @@
 
 #include "vtkNBufferModule.h"     // For export macro
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
-class vtkActor;
-class vtkInformationIntegerKey;
-class vtkMapper;
-class vtkProp;
-class vtkWindow;
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -32,6 +27,11 @@ class vtkWindow;
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkInformationIntegerKey;
+class vtkMapper;
+class vtkProp;
+class vtkWindow;
 
 class VTKNBUFFER_EXPORT vtkNBufferDrawPass : public vtkOpenGLRenderPass
 {
@@ -49,6 +49,10 @@ public:
   void Attach(vtkActor* actor);
   void Detach(vtkActor* actor);
   ///@}
+
+  /// Add the pass again to the property keys of an attached actor if the application has replaced
+  /// or cleared them. Returns whether it was missing.
+  bool AttachAgain(vtkActor* actor);
 
   /// Give the pass of a window to those of the props that have begun to share the mapper of an
   /// actor that has it. For frames in which nothing looks for large props. They are attached
@@ -102,6 +106,7 @@ private:
 
   /// The actor's entry, new and with the pass in the actor's keys if there was none.
   User& AddUser(vtkActor* actor);
+  void AddTo(vtkActor* actor);
 
   std::shared_ptr<Registry> Owner; ///< The passes of all windows, kept until the last pass ends.
   vtkWindow* Window = nullptr;     ///< The key of this pass in the registry.

@@ -34,4 +34,3 @@ VTKNBUFFER_EXPORT std::optional<std::size_t> Copy(const std::vector<vtkNBufferUn
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferHostList.h

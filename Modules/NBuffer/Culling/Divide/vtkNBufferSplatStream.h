@@ -48,4 +48,3 @@ void ReadVertices(vtkPolyData* data, vtkNBufferUnits::Mesh& mesh);
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferSplatStream.h

@@ -44,4 +44,3 @@ struct vtkNBufferUnitAnswers
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferUnitAnswers.h

@@ -247,24 +247,8 @@ void vtkNBufferUnitDevice::List::Draw(unsigned int mode) const
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, static_cast<GLuint>(bound));
 }
 
-void vtkNBufferUnitDevice::MakeList(
-  const Choice& choice, std::size_t size, const Records& indices, List& list)
-{
-  Command command;
-  command.Count = indices.Words;
-  this->Copy(choice, 0, size, { indices }, command, 0, list);
-}
-
 void vtkNBufferUnitDevice::MakeList(const Choice& choice, std::size_t first, std::size_t size,
-  const std::vector<Records>& records, std::size_t indices, List& list)
-{
-  Command command;
-  command.Count = static_cast<std::uint32_t>(indices);
-  this->Copy(choice, first, size, records, command, 1, list);
-}
-
-void vtkNBufferUnitDevice::Copy(const Choice& choice, std::size_t first, std::size_t size,
-  const std::vector<Records>& records, const Command& command, std::size_t field, List& list)
+  const std::vector<Records>& records, std::size_t indices, bool areInstances, List& list)
 {
   const vtkNBufferGL::ScopedCompute scope;
   const vtkNBufferUnits& units = *choice.Units;
@@ -280,6 +264,8 @@ void vtkNBufferUnitDevice::Copy(const Choice& choice, std::size_t first, std::si
   }
   const std::size_t groups = (size + PrimitivesPerGroup - 1) / PrimitivesPerGroup;
   vtkNBufferGL::AllocateStorage(buffers.Sums.Create(), groups * sizeof(std::uint32_t));
+  Command command; // The device multiplies one of its fields by the number of primitives.
+  command.Count = static_cast<std::uint32_t>(indices);
   vtkNBufferGL::AllocateStorage(list.Object.Create(), sizeof(Command), &command);
   // The length of the list is known to the device alone, but not what it is at most.
   const auto marked = std::count(choice.Marked->begin(), choice.Marked->end(), 1);
@@ -302,7 +288,7 @@ void vtkNBufferUnitDevice::Copy(const Choice& choice, std::size_t first, std::si
   unsigned int program = this->Lists.Use(this->Error, AddDefinition);
   vtkNBufferGL::BindStorage(CommandBuffer, list.Object.GetName());
   SetUnsigned(program, "groups", groups);
-  SetUnsigned(program, "field", field);
+  SetUnsigned(program, "field", areInstances ? 1 : 0);
   Dispatch(1, 1);
   program = use(CopyDefinition);
   for (const Records& record : records)

@@ -147,18 +147,13 @@ public:
   /// Whether the device can copy records from a buffer of so many bytes.
   bool CanCopy(std::size_t bytes) const { return bytes <= this->LargestBuffer; }
 
-  /// Make a list of triangles or points, given the number of all and a buffer of their indices.
-  void MakeList(const Choice& choice, std::size_t size, const Records& indices, List& list);
-
-  /// Make a list of those of `size` instances from number `first` on that are chosen. A buffer of
-  /// Records has `size` records. `indices` is the number of indices of an instance.
+  /// Make a list of those of `size` primitives from number `first` on that are chosen, each of
+  /// which is drawn by so many indices, as an instance if `areInstances` is true. A buffer of
+  /// Records has `size` records.
   void MakeList(const Choice& choice, std::size_t first, std::size_t size,
-    const std::vector<Records>& records, std::size_t indices, List& list);
+    const std::vector<Records>& records, std::size_t indices, bool areInstances, List& list);
 
 private:
-  /// Copy records, and multiply one field of the command by their number.
-  void Copy(const Choice& choice, std::size_t first, std::size_t size,
-    const std::vector<Records>& records, const Command& command, std::size_t field, List& list);
   void Prepare();
   void ReleaseGraphicsResources(vtkWindow* window);
 

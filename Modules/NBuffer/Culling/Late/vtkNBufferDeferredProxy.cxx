@@ -31,12 +31,4 @@ bool vtkNBufferDeferredProxy::RenderFilteredOpaqueGeometry(
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   return this->TheOwner && renderer && this->TheOwner->DrawHeldProps(renderer, requiredKeys) > 0;
 }
-
-void vtkNBufferDeferredProxy::ForEachDrawnProp(const std::function<void(vtkProp*)>& visit)
-{
-  if (this->TheOwner)
-  {
-    this->TheOwner->ForEachDrawnHeldProp(visit);
-  }
-}
 VTK_ABI_NAMESPACE_END

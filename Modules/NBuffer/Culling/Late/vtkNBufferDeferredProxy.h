@@ -38,9 +38,6 @@ public:
     /// Whether any prop that is held back has these keys.
     virtual bool HasHeldPropWithKeys(vtkInformation* requiredKeys) const = 0;
 
-    /// Call `visit` for each prop that DrawHeldProps() has drawn in this frame.
-    virtual void ForEachDrawnHeldProp(const std::function<void(vtkProp*)>& visit) const = 0;
-
   protected:
     ~Owner() = default;
   };
@@ -63,8 +60,6 @@ public:
 protected:
   vtkNBufferDeferredProxy() = default;
   ~vtkNBufferDeferredProxy() override = default;
-
-  void ForEachDrawnProp(const std::function<void(vtkProp*)>& visit) override;
 
 private:
   vtkNBufferDeferredProxy(const vtkNBufferDeferredProxy&) = delete;

@@ -41,9 +41,4 @@ void vtkNBufferPropProxy::SetAllocatedRenderTime(double time, vtkViewport* viewp
 {
   this->Prop->SetAllocatedRenderTime(time, viewport);
 }
-
-void vtkNBufferPropProxy::AddEstimatedRenderTime(double time, vtkViewport* viewport)
-{
-  this->Prop->AddEstimatedRenderTime(time, viewport);
-}
 VTK_ABI_NAMESPACE_END

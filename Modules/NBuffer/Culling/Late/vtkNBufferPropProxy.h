@@ -53,17 +53,12 @@ public:
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
 
-  ///@{
   /// Forwarded to the prop.
   void SetAllocatedRenderTime(double time, vtkViewport* viewport) override;
-  void AddEstimatedRenderTime(double time, vtkViewport* viewport) override;
-  ///@}
 
 protected:
   vtkNBufferPropProxy() = default;
   ~vtkNBufferPropProxy() override = default;
-
-  void ForEachDrawnProp(const std::function<void(vtkProp*)>& visit) override { visit(this->Prop); }
 
 private:
   vtkNBufferPropProxy(const vtkNBufferPropProxy&) = delete;

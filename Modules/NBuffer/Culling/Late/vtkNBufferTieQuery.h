@@ -32,4 +32,3 @@ VTKNBUFFER_EXPORT bool HasTies(const std::function<void()>& draw);
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferTieQuery.h

@@ -51,4 +51,3 @@ bool Measure(const Subject& subject, vtkShadowCostModel::Costs& costs, std::stri
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowCostMeasurement.h

@@ -111,4 +111,3 @@ private:
 };
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowCounter.h

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
-#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -22,39 +21,20 @@ constexpr int NumberOfHeats = 5;
 constexpr unsigned char Heats[NumberOfHeats][3] = { { 40, 60, 255 }, { 0, 200, 255 },
   { 40, 220, 40 }, { 255, 230, 0 }, { 255, 20, 0 } };
 
-/// The range of depth of all lexels that have receivers.
-struct DepthRange
+/// The grey of a depth, between those of all receivers.
+Color GetGrey(double depth, const vtkShadowExtent& all)
 {
-  explicit DepthRange(const vtkShadowLitmap& litmap)
-  {
-    const vtkShadowExtent* lexels = litmap.GetLevelData(0);
-    const std::size_t count =
-      static_cast<std::size_t>(litmap.GetResolution()) * litmap.GetResolution();
-    for (std::size_t i = 0; lexels && i < count; ++i)
-    {
-      this->Near = std::min(this->Near, lexels[i].Near);
-      this->Far = std::max(this->Far, lexels[i].Far);
-    }
-  }
-
-  Color GetGrey(double depth) const
-  {
-    const double share =
-      this->Far > this->Near ? (depth - this->Near) / (this->Far - this->Near) : 0.0;
-    const auto level = static_cast<unsigned char>(std::lround(255.0 - 205.0 * share));
-    return { level, level, level, 255 };
-  }
-
-  double Near = std::numeric_limits<double>::infinity();
-  double Far = -std::numeric_limits<double>::infinity();
-};
+  const double share = all.Far > all.Near ? (depth - all.Near) / (all.Far - all.Near) : 0.0;
+  const auto level = static_cast<unsigned char>(std::lround(255.0 - 205.0 * share));
+  return { level, level, level, 255 };
+}
 
 void SetPixel(Image& image, std::size_t pixel, const Color& color)
 {
   std::copy(color.begin(), color.end(), image.begin() + static_cast<std::ptrdiff_t>(4 * pixel));
 }
 
-Color GetColor(const vtkShadowExtent& extent, const DepthRange& range, int panel)
+Color GetColor(const vtkShadowExtent& extent, const vtkShadowExtent& all, int panel)
 {
   if (extent.IsEmpty())
   {
@@ -62,7 +42,7 @@ Color GetColor(const vtkShadowExtent& extent, const DepthRange& range, int panel
   }
   if (panel < 2)
   {
-    return range.GetGrey(panel == 0 ? extent.Near : extent.Far);
+    return GetGrey(panel == 0 ? extent.Near : extent.Far, all);
   }
   Color heat = vtkShadowDebugImage::GetHeat(
     static_cast<int>(std::bitset<vtkShadowLitmap::NumberOfBins>(extent.Bins).count()));
@@ -104,7 +84,7 @@ Image PaintLitmaps(const vtkShadowLitmap* litmaps, int count, int width, int hei
     {
       continue;
     }
-    const DepthRange range(litmaps[i]);
+    const vtkShadowExtent all = litmaps[i].Query(1.0, 1.0, 0.0, 0.0); // of the whole litmap
     const int resolution = litmaps[i].GetResolution();
     for (int panel = 0; panel < panels; ++panel)
     {
@@ -116,7 +96,7 @@ Image PaintLitmaps(const vtkShadowLitmap* litmaps, int count, int width, int hei
         {
           const std::size_t column = static_cast<std::size_t>(x) * resolution / side;
           SetPixel(image, line + panel * (side + gap) + x,
-            GetColor(lexels[row * resolution + column], range, panel));
+            GetColor(lexels[row * resolution + column], all, panel));
         }
       }
     }

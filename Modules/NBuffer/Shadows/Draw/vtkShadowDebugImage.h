@@ -55,4 +55,3 @@ VTKNBUFFER_EXPORT void PaintCounts(Image& image);
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowDebugImage.h

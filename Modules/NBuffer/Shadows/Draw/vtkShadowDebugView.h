@@ -78,4 +78,3 @@ private:
 };
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowDebugView.h

@@ -169,4 +169,3 @@ private:
 };
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowTarget.h

@@ -87,4 +87,3 @@ struct vtkShadowExtent
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowBlock.h

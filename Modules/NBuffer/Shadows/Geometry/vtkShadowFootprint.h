@@ -87,4 +87,3 @@ struct vtkShadowPart
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowFootprint.h

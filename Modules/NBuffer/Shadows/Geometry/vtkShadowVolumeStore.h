@@ -75,4 +75,3 @@ private:
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowVolumeStore.h

@@ -79,4 +79,3 @@ struct vtkShadowConeReach
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowConeReach.h

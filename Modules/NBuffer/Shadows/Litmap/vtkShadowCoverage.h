@@ -62,4 +62,3 @@ private:
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowCoverage.h
