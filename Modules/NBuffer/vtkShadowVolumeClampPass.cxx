@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolumeClampPass.h"
 
+#include "vtkNBufferProtectedRenderer.h"
 #include "vtkShadowOpaqueStage.h"
 #include "vtkShadowRendererStages.h"
 
@@ -167,6 +168,11 @@ void vtkShadowVolumeClampPass::Render(const vtkRenderState* s)
   vtkRenderer* renderer = s->GetRenderer();
   // An observer may take the pass from the renderer while it draws.
   const vtkSmartPointer<vtkShadowVolumeClampPass> keepAlive = this;
+  if (renderer->GetPass() == this && renderer->GetSelector())
+  {
+    this->NumberOfRenderedProps = vtkNBufferProtectedMembers::DrawWithoutPass(renderer);
+    return;
+  }
   if (renderer->GetPass() == this)
   {
     // vtkCamera::Render() finds out from the window whether there are two eyes, and VTK's camera

@@ -320,7 +320,7 @@ SHADOW_MUTANTS = {
 # most of what the missing one let through, or the frames that show it are rare.
 RARE = {
     "boxes of blocks that have moved": [
-        (BLOCKS, "std::max(mapper->GetMTime(), GetTimeOfPoints(data));", "mapper->GetMTime();")],
+        (BLOCKS, "std::max(mapper->GetMTime(), dataTime);", "mapper->GetMTime();")],
     "offsets that visible edges switch on are ignored": [
         (SURFACE, "!= VTK_RESOLVE_OFF ||\n    actor->GetProperty()->GetEdgeVisibility();",
          "!= VTK_RESOLVE_OFF;")],

@@ -5,8 +5,14 @@
 #include "Scenes.h"
 
 #include "vtkAssembly.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkLookupTable.h"
 #include "vtkMapper.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkVariant.h"
 
 using Scenes::Wall;
 
@@ -54,6 +60,58 @@ TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
   {
     Scenes::FrameOfWall(comparison, 3.0 * i);
     EXPECT_GT(comparison.GetHidden(), 20);
+  }
+}
+
+namespace
+{
+/// Gives the wall scalars from 1 to its number of points.
+vtkSmartPointer<vtkFloatArray> AddScalars(Stage& stage)
+{
+  vtkMapper* mapper = stage.GetActor(Wall::Index)->GetMapper();
+  auto scalars = vtkSmartPointer<vtkFloatArray>::New();
+  for (vtkIdType i = 1; i <= mapper->GetInput()->GetNumberOfPoints(); ++i)
+  {
+    scalars->InsertNextValue(static_cast<float>(i));
+  }
+  mapper->GetInput()->GetPointData()->SetScalars(scalars);
+  return scalars;
+}
+}
+
+// Hazard: VTK takes colors for opaque that have an alpha below 1, and blends them in the opaque
+// stage: those that a color transfer function has for unknown values, and those of a table that the
+// mapper has not taken over from the array before it has drawn.
+TEST(CullerProps, BlendedColorsThatVTKTakesForOpaque)
+{
+  for (const bool isFunction : { true, false })
+  {
+    SCOPED_TRACE(isFunction);
+    Comparison comparison(
+      [isFunction](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        const auto scalars = AddScalars(stage);
+        if (isFunction)
+        {
+          vtkNew<vtkColorTransferFunction> function;
+          function->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
+          function->SetAnnotation(vtkVariant(1.0), "one");
+          function->IndexedLookupOn();
+          function->SetNanOpacity(0.4);
+          stage.GetActor(Wall::Index)->GetMapper()->SetLookupTable(function);
+          return;
+        }
+        vtkNew<vtkLookupTable> table;
+        table->SetAlphaRange(0.2, 0.9);
+        table->Build();
+        scalars->SetLookupTable(table);
+      });
+    for (int i = 0; i < 4; ++i)
+    {
+      Scenes::FrameOfWall(comparison, 0.1 * i);
+      EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4) << "the wall hides nothing";
+    }
   }
 }
 

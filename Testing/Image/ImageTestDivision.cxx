@@ -462,6 +462,7 @@ const LargeProps::Change DivisionChanges[] = {
     },
     false },
   { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); } },
+  { "PropertyKeys", [](Stage& stage) { stage.GetActor(0)->SetPropertyKeys(nullptr); } },
   { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); }, false },
   { "Hidden", [](Stage& stage) { stage.GetActor(0)->VisibilityOff(); }, false },
   { "SharedMapper",

@@ -32,6 +32,7 @@
 #include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #if __has_include("vtkFlagpoleLabel.h")
 #define VTKNBUFFER_TEST_HAS_FLAGPOLES 1
@@ -158,17 +159,51 @@ Make Selected(double opacity)
     });
 }
 
-/// The pane with a texture of this many components as the color of physically based shading.
-Make BaseColor(int components)
+/// The pane with a texture of this many components, which `set` gives to the actor.
+Make Textured(int components, const std::function<void(vtkActor*, vtkTexture*)>& set)
 {
   return Pane(
-    [components](vtkActor* actor)
+    [components, set](vtkActor* actor)
     {
       vtkNew<vtkTexture> texture;
       texture->SetInputData(MakeImage(components));
+      set(actor, texture);
+    });
+}
+
+/// The pane with such a texture as the color of physically based shading.
+Make BaseColor(int components)
+{
+  return Textured(components,
+    [](vtkActor* actor, vtkTexture* texture)
+    {
       texture->UseSRGBColorSpaceOn();
       actor->GetProperty()->SetInterpolationToPBR();
       actor->GetProperty()->SetBaseColorTexture(texture);
+    });
+}
+
+/// The pane with a texture of four components under this name, which VTK multiplies with the color.
+Make NamedTexture(const char* name)
+{
+  return Textured(4,
+    [name](vtkActor* actor, vtkTexture* texture)
+    { actor->GetProperty()->SetTexture(name, texture); });
+}
+
+/// The pane with an opaque texture on its middle. `alpha` is that of the border around it.
+Make BorderedTexture(float alpha)
+{
+  return Textured(3,
+    [alpha](vtkActor* actor, vtkTexture* texture)
+    {
+      texture->SetWrap(vtkTexture::ClampToBorder);
+      texture->SetBorderColor(1.0F, 1.0F, 0.0F, alpha);
+      vtkNew<vtkTransform> transform;
+      transform->Translate(-0.5, -0.5, 0.0);
+      transform->Scale(2.0, 2.0, 1.0);
+      texture->SetTransform(transform);
+      actor->SetTexture(texture);
     });
 }
 
@@ -181,11 +216,9 @@ vtkSmartPointer<vtkLookupTable> MakeTable()
   return table;
 }
 
-/// The pane with a texture whose colors come from a lookup table.
-void SetMappedTexture(vtkActor* actor)
+/// The pane's texture gets its colors from a lookup table.
+void SetMappedTexture(vtkActor* actor, vtkTexture* texture)
 {
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(MakeImage());
   texture->SetLookupTable(MakeTable());
   texture->SetColorModeToMapScalars();
   actor->SetTexture(texture);
@@ -497,7 +530,11 @@ const Ordered Cases[] = {
   { "OpaqueSelection", Selected(1.0), false },
   { "FaintBaseColor", BaseColor(4) },
   { "OpaqueBaseColor", BaseColor(3), false },
-  { "MappedTexture", Pane(&SetMappedTexture) },
+  { "MappedTexture", Textured(1, &SetMappedTexture) },
+  { "FaintDecal", NamedTexture("decal") },
+  { "Normals", NamedTexture("normalTex"), false },
+  { "FaintBorder", BorderedTexture(0.3F) },
+  { "OpaqueBorder", BorderedTexture(1.0F), false },
   { "ShaderWithOpacity", Shaded("  fragOutput0.a = 0.5;") },
   { "ShaderWithDepth", Shaded("  gl_FragDepth = 0.1;"), false },
   { "SkyboxFloor", Skybox(vtkSkybox::Floor) },

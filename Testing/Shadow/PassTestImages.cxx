@@ -360,6 +360,13 @@ TEST_F(PassImages, InsidesThatAreSeenAreDark)
     EXPECT_EQ(getMiddle(), 255) << "the box in it";
     GetActors(stage.GetRenderer())[1]->GetProperty()->FrontfaceCullingOff();
     EXPECT_EQ(getMiddle(), 0);
+    // Mirrored, the front faces are back faces for the device.
+    GetActors(stage.GetRenderer())[1]->SetScale(-1.0, 1.0, 1.0);
+    GetActors(stage.GetRenderer())[1]->GetProperty()->BackfaceCullingOn();
+    EXPECT_EQ(getMiddle(), 255) << "the box in the mirrored sphere";
+    GetActors(stage.GetRenderer())[1]->SetScale(1.0);
+    EXPECT_EQ(getMiddle(), 0);
+    GetActors(stage.GetRenderer())[1]->GetProperty()->BackfaceCullingOff();
   }
 }
 

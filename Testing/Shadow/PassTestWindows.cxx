@@ -10,11 +10,14 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkHardwareSelector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkPropPicker.h"
 #include "vtkProperty.h"
+#include "vtkSelection.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -329,4 +332,42 @@ TEST_F(PassLifetime, ReleasedAndDrawnAgain)
     EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
     EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
   }
+}
+
+// Hazard: a selection draws nothing because the pass draws the frame.
+TEST_F(PassWindows, SelectionsFindWhatTheyFindWithoutIt)
+{
+  const Stage stage = SetStage(
+    [](TestScene::SceneBuilder& scene)
+    {
+      scene.Floor(5.0);
+      scene.Sphere({ 0.0, 0.0, 1.5 }, 1.0);
+      scene.Directional({ 0.3, 0.2, -1.0 });
+      scene.Look({ 0.0, -6.0, 4.0 }, { 0.0, 0.0, 1.5 });
+    },
+    200, 150);
+  vtkRenderer* renderer = stage.GetRenderer();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(renderer);
+  selector->SetArea(0, 0, 199, 149);
+  vtkNew<vtkPropPicker> picker;
+  vtkNew<vtkPropPicker> picksFloor;
+  picksFloor->PickFromListOn();
+  picksFloor->AddPickList(GetActors(renderer)[0]);
+  const auto count = [&]()
+  {
+    const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    EXPECT_EQ(picker->Pick(100.0, 75.0, 0.0, renderer), 1);
+    EXPECT_EQ(picker->GetActor(), GetActors(renderer)[1]);
+    EXPECT_EQ(picksFloor->Pick(100.0, 75.0, 0.0, renderer), 1);
+    EXPECT_EQ(picksFloor->GetActor(), GetActors(renderer)[0]) << "the sphere is not in the list";
+    return selection->GetNumberOfNodes();
+  };
+  EXPECT_EQ(count(), 2u);
+  const unsigned int again = count(); // VTK's own may differ, after pickers, in windows of EGL.
+  EXPECT_GT(again, 0u);
+  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  EXPECT_EQ(count(), again);
+  stage.Window->Render();
+  EXPECT_GT(CountShadowed(GetMask(stage, pass)), 50);
 }

@@ -3,6 +3,7 @@
 #include "vtkNBufferDrawOrder.h"
 
 #include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferScalars.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -25,21 +26,42 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Whether the colors of a texture have an alpha below 1. VTK does not look at those that it maps.
+/// Whether the colors of a texture have an alpha below 1. VTK does not look at those that it maps,
+/// and at the border.
 bool IsFaint(vtkTexture* texture)
 {
   vtkScalarsToColors* table = texture ? texture->GetLookupTable() : nullptr;
-  return texture && (texture->IsTranslucent() || (table && !table->IsOpaque()));
+  return texture &&
+    (texture->IsTranslucent() || (table && !table->IsOpaque()) ||
+      (texture->GetWrap() == vtkTexture::ClampToBorder && texture->GetBorderColor()[3] < 1.0F));
+}
+
+/// Whether textures of a property, which VTK does not look at, may make fragments translucent.
+bool HasFaintTextures(vtkProperty* property)
+{
+  const char* const names[] = { "normalTex", "materialTex", "brdfTex", "emissiveTex",
+    "anisotropyTex", "coatNormalTex" };
+  const std::map<std::string, vtkTexture*>& textures = property->GetAllTextures();
+  return std::any_of(textures.begin(), textures.end(),
+    [&](const auto& item)
+    {
+      const auto& [name, texture] = item;
+      const bool isColor = name == "albedoTex"
+        ? property->GetInterpolation() == VTK_PBR
+        : std::find(std::begin(names), std::end(names), name) == std::end(names);
+      return isColor && IsFaint(texture);
+    });
 }
 
 /// Whether an actor that is opaque (vtkActor::HasOpaqueGeometry()), which may be by force, has
-/// colors with an alpha below 1. VTK does not look at back faces, at the base color's texture, and
-/// at the color of selected cells.
+/// colors with an alpha below 1. VTK does not look at back faces, and at the color of selected
+/// cells.
 bool HasFaintColors(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
@@ -50,8 +72,8 @@ bool HasFaintColors(vtkActor* actor)
   const bool isSelected =
     mapper && property->GetSelectionColor()[3] < 1.0 && vtkNBufferDrawOrder::DrawsSelection(mapper);
   return isForced || isSelected || (back && back->GetOpacity() < 1.0) ||
-    IsFaint(actor->GetTexture()) ||
-    (property->GetInterpolation() == VTK_PBR && IsFaint(property->GetTexture("albedoTex")));
+    IsFaint(actor->GetTexture()) || HasFaintTextures(property) ||
+    (mapper && vtkNBufferScalars::AreFaint(mapper));
 }
 
 /// Whether shader code of the application may set the opacity of fragments. Code may put a name
@@ -103,11 +125,12 @@ bool IsFadingFloor(vtkActor* actor)
   return skybox && skybox->GetProjection() == vtkSkybox::Floor;
 }
 
-/// Whether a mapper draws labels, or colors with the alpha of a volume.
+/// Whether a mapper draws labels, colors with the alpha of a volume, or translucent actors of a
+/// graph.
 bool Blends(vtkMapper* mapper)
 {
   const char* const names[] = { "vtkLabeledContourMapper", "vtkFastLabeledDataMapper",
-    "vtkOpenGLSurfaceProbeVolumeMapper" };
+    "vtkOpenGLSurfaceProbeVolumeMapper", "vtkGraphMapper" };
   return mapper &&
     std::any_of(std::begin(names), std::end(names),
       [mapper](const char* name) { return mapper->IsA(name) != 0; });

@@ -12,9 +12,11 @@
 #include "vtkCompositePolyDataMapper2.h"
 #endif
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <functional>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <string>
@@ -59,6 +61,13 @@ bool IsListed(vtkNBufferKnownClasses::List list, vtkObjectBase* object)
 
 namespace vtkNBufferKnownClasses
 {
+/// Whether a mapper of polydata draws in several pieces. Its bounds and its input are those of one
+/// piece.
+static bool DrawsInPieces(vtkMapper* mapper)
+{
+  return static_cast<vtkPolyDataMapper*>(mapper)->GetNumberOfSubPieces() > 1;
+}
+
 static MapperKind GetOwnKind(vtkMapper* mapper)
 {
   const std::type_info& type = typeid(*mapper);
@@ -125,7 +134,18 @@ bool IsKnown(vtkRenderPass* pass)
 MapperKind GetKind(vtkMapper* mapper)
 {
   const MapperKind own = GetOwnKind(mapper);
-  return own == MapperKind::Other && IsListed(Mappers, mapper) ? GetKindOfBase(mapper) : own;
+  const MapperKind kind =
+    own == MapperKind::Other && IsListed(Mappers, mapper) ? GetKindOfBase(mapper) : own;
+  return kind == MapperKind::PolyData && DrawsInPieces(mapper) ? MapperKind::Other : kind;
+}
+
+bool DrawsPolygons(vtkMapper* mapper)
+{
+  const char* const names[] = { "vtkPointGaussianMapper", "vtkOpenGLSphereMapper",
+    "vtkOpenGLStickMapper", "vtkFastLabeledDataMapper" };
+  return vtkPolyDataMapper::SafeDownCast(mapper) && !DrawsInPieces(mapper) &&
+    std::none_of(std::begin(names), std::end(names),
+      [mapper](const char* name) { return mapper->IsA(name) != 0; });
 }
 
 vtkActor* GetPlainActor(vtkProp* prop)

@@ -39,6 +39,11 @@ VTKNBUFFER_EXPORT bool Add(List list, const char* name);
 /// (vtkNBufferPropWatch::GetGlobalState()).
 VTKNBUFFER_EXPORT int GetVersion();
 
+/// Whether a mapper is known to draw the polygons of its input. Some subclasses of
+/// vtkPolyDataMapper draw splats, spheres, sticks or labels at the points instead, and one that
+/// draws in several pieces has only one of them as its input.
+bool DrawsPolygons(vtkMapper* mapper);
+
 /// Whether a pass is of a known class. It looks up a name, and is meant for the few passes of a
 /// renderer.
 VTKNBUFFER_EXPORT bool IsKnown(vtkRenderPass* pass);
@@ -69,4 +74,3 @@ VTKNBUFFER_EXPORT bool HaveKnownTimes(vtkActor* actor);
 }
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferKnownClasses.h

@@ -9,6 +9,7 @@
 #include "vtkNBufferObservedObjects.h"
 #include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSurface.h"
+#include "vtkNBufferTextures.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
@@ -36,6 +37,7 @@
 #include <algorithm>
 #include <typeinfo>
 #include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 using vtkNBufferProtectedMembers::GetOwnTime;
@@ -93,10 +95,15 @@ vtkMTimeType GetTimeWithData(vtkAlgorithm* algorithm, bool withBlocks)
 /// The newest time of an actor whose pipeline is up to date.
 vtkMTimeType GetTimeOfAll(vtkActor* actor, vtkShaderProperty* shaders, bool withBlocks)
 {
+  // This comes first, because an actor creates a property that is missing.
+  const std::vector<vtkTexture*> textures = vtkNBufferGetTextures(actor);
   vtkMTimeType time = std::max(actor->GetMTime(), shaders ? shaders->GetMTime() : 0);
-  if (vtkTexture* texture = actor->GetTexture())
+  for (vtkTexture* texture : textures)
   {
-    time = std::max(time, GetTimeWithData(texture, withBlocks));
+    // A transform that changes leaves the time of its texture as it is.
+    vtkTransform* transform = texture->GetTransform();
+    time = std::max(
+      { time, GetTimeWithData(texture, withBlocks), transform ? transform->GetMTime() : 0 });
   }
   if (vtkMapper* mapper = actor->GetMapper())
   {
@@ -166,7 +173,7 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
   // Whether a texture is translucent depends on a pipeline of its own, and the time of a mapper
   // does not include those of its clipping planes.
   vtkPolyData* input =
-    this->Mapper && !this->Actor->GetTexture() && !this->Mapper->GetClippingPlanes()
+    this->Mapper && vtkNBufferGetTextures(this->Actor).empty() && !this->Mapper->GetClippingPlanes()
     ? vtkNBufferSurface::GetOnlyPolyData(this->Mapper)
     : nullptr;
   this->Input = input;

@@ -5,9 +5,9 @@
 #include "vtkNBufferForEachChild.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferTextures.h"
 
 #include "vtkActor.h"
-#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -244,7 +244,7 @@ void vtkNBufferSurface::UpdatePipeline(vtkActor* actor)
   {
     UpdateProducer(mapper);
   }
-  if (vtkTexture* texture = actor->GetTexture())
+  for (vtkTexture* texture : vtkNBufferGetTextures(actor))
   {
     UpdateProducer(texture);
   }
@@ -384,7 +384,7 @@ bool vtkNBufferSurface::GetPartsAtHand(
   parts.clear();
   vtkMapper* mapper = actor->GetMapper();
   auto* composite = CompositeMapper::SafeDownCast(mapper);
-  if (!composite && !vtkPolyDataMapper::SafeDownCast(mapper) &&
+  if (!composite && !vtkNBufferKnownClasses::DrawsPolygons(mapper) &&
     !vtkDataSetMapper::SafeDownCast(mapper) && !IsComposite(mapper))
   {
     return false;

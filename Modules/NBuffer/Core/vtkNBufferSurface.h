@@ -70,7 +70,7 @@ public:
   /// draws as it is; otherwise nullptr.
   static vtkPolyData* GetOnlyPolyData(vtkMapper* mapper);
 
-  /// Update the pipelines of mapper and texture, as VTK does before it draws. Does nothing for a
+  /// Update the pipelines of mapper and textures, as VTK does before it draws. Does nothing for a
   /// static mapper (vtkMapper::SetStatic()), and costs little where there is no pipeline.
   static void UpdatePipeline(vtkActor* actor);
 
@@ -85,7 +85,7 @@ public:
   static bool DrawsLines(vtkMapper* mapper);
   ///@}
 
-  /// The bounds of a mapper, and of all points of its polydata or blocks.
+  /// The bounds of a mapper, and of all points of its polydata or blocks, as VTK keeps them.
   static vtkBoundingBox GetBoundsOfPoints(vtkMapper* mapper, bool visibleOnly);
 
   /**

@@ -5,6 +5,7 @@
 #include "vtkNBufferDrawOrder.h"
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferScalars.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
@@ -77,8 +78,9 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     // The prop may be a new one, at the address of a plain actor that has been deleted.
     this->Watch.Track(this->Prop);
     this->Verdict = vtkNBufferVerdict::NotAPlainActor;
-    this->DepthWriter =
-      !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
+    // A caption may have a leader in the world.
+    this->DepthWriter = this->Prop->IsA("vtkCaptionActor2D") ||
+      (!vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop));
     this->Blended = this->Unlit = this->Offset = false;
     this->Class = &typeid(*this->Prop);
     this->Uses = {};
@@ -133,6 +135,10 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   {
     return box;
   }
+  if (vtkNBufferScalars::ChangeTable(mapper))
+  {
+    return vtkNBufferVerdict::SharedMapper;
+  }
   if (actor->HasTranslucentPolygonalGeometry() || !actor->HasOpaqueGeometry())
   {
     return vtkNBufferVerdict::Translucent;
@@ -168,13 +174,13 @@ vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
     return vtkNBufferVerdict::NoBounds;
   }
   this->Box = vtkNBufferBox::FromBounds(bounds);
-  if (!vtkNBufferSurface::IsComposite(mapper))
+  if (vtkNBufferBlocks::AreNeeded(mapper))
   {
-    this->Blocks.reset();
+    this->ReadBlocks(actor);
   }
   else
   {
-    this->ReadBlocks(actor);
+    this->Blocks.reset();
   }
   this->Box.Margin = vtkNBufferSurface::GetMargin(actor);
   const auto buffer = vtkNBufferSurface::GetBufferCoordinates(

@@ -146,7 +146,7 @@ public:
 private:
   /// Read the box. Returns Visible, or the verdict of a prop whose box cannot be known.
   vtkNBufferVerdict ReadBox(vtkActor* actor);
-  void ReadBlocks(vtkActor* actor); ///< The part of ReadBox() for composite data.
+  void ReadBlocks(vtkActor* actor); ///< The part of ReadBox() for composite data and grids.
   /// The verdict of the prop, where `box` is the result of ReadBox().
   vtkNBufferVerdict Classify(vtkActor* actor, vtkNBufferVerdict box) const;
 
@@ -160,7 +160,7 @@ private:
   vtkProp* Prop = nullptr;
   const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
   vtkNBufferBox Box;
-  std::unique_ptr<vtkNBufferBlocks> Blocks; ///< Of composite data only.
+  std::unique_ptr<vtkNBufferBlocks> Blocks; ///< Of composite data and grids only.
   vtkNBufferSharedState::Uses Uses;
   bool Offset = false;
   bool HasInstances = false; ///< Whether these are translucent instances.

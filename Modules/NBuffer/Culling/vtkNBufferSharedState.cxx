@@ -3,7 +3,9 @@
 #include "vtkNBufferSharedState.h"
 
 #include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferScalars.h"
 #include "vtkNBufferSurface.h"
+#include "vtkNBufferTextures.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
@@ -94,34 +96,29 @@ std::size_t GetWayOfShading(vtkActor* actor)
   return way;
 }
 
-/// The table with which a mapper maps scalars. If the array has a table, VTK uses that one.
-vtkScalarsToColors* GetLookupTable(vtkMapper* mapper)
-{
-  int isCellArray = 0;
-  auto* scalars = vtkDataArray::SafeDownCast(
-    vtkAbstractMapper::GetAbstractScalars(mapper->GetInput(), mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isCellArray));
-  return scalars && scalars->GetLookupTable() ? scalars->GetLookupTable()
-                                              : vtkNBufferProtectedMembers::GetLookupTable(mapper);
-}
-
 /// A mapper sets the range of its table before it maps scalars, unless it has to use the range that
-/// it finds there (UseLookupTableScalarRange). A texture uses the range that it finds as well.
-vtkNBufferSharedState::Use GetTableUse(vtkActor* actor)
+/// it finds there (UseLookupTableScalarRange).
+vtkNBufferSharedState::Use GetTableUse(vtkMapper* mapper)
 {
-  vtkMapper* mapper = actor->GetMapper();
-  vtkScalarsToColors* table = mapper->GetScalarVisibility() ? GetLookupTable(mapper) : nullptr;
-  if (!table)
-  {
-    return { actor->GetTexture() ? actor->GetTexture()->GetLookupTable() : nullptr, 0 };
-  }
   std::size_t way = 0;
   if (!mapper->GetUseLookupTableScalarRange())
   {
     Combine(way, std::hash<double>()(mapper->GetScalarRange()[0]));
     Combine(way, std::hash<double>()(mapper->GetScalarRange()[1]));
   }
-  return { table, way };
+  return { mapper->GetScalarVisibility() ? vtkNBufferScalars::GetLookupTable(mapper) : nullptr,
+    way };
+}
+
+/// A texture uses the range that it finds in its table.
+vtkNBufferSharedState::Use GetTextureTableUse(vtkActor* actor)
+{
+  const void* table = nullptr;
+  for (vtkTexture* texture : vtkNBufferGetTextures(actor))
+  {
+    table = table ? table : texture->GetLookupTable();
+  }
+  return { table, 0 };
 }
 
 /// The mappers of a window share one vertex buffer for an array. Only the first of them shifts it.
@@ -159,23 +156,25 @@ bool HasMadeShadersSince(vtkMapper* mapper, vtkInformationDoubleKey* mark)
 vtkNBufferSharedState::Uses vtkNBufferSharedState::GetUses(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
-  return mapper ? Uses{ Use{ mapper, GetWayOfSetting(actor) },
-    Use{ mapper, GetWayOfShading(actor) }, GetTableUse(actor), GetPointsUse(mapper) }
-                : Uses();
+  return mapper
+    ? Uses{ Use{ mapper, GetWayOfSetting(actor) }, Use{ mapper, GetWayOfShading(actor) },
+        GetTableUse(mapper), GetPointsUse(mapper), GetTextureTableUse(actor) }
+    : Uses();
 }
 
 void vtkNBufferSharedState::Add(const Uses& uses)
 {
-  for (std::size_t i = 0; i < uses.size(); ++i)
+  for (std::size_t place = 0; place < uses.size(); ++place)
   {
-    const auto [object, way] = uses[i];
-    if (object && !this->Common[i].Object)
+    const std::size_t kind = GetKind(place);
+    const auto [object, way] = uses[place];
+    if (object && !this->Common[kind].Object)
     {
-      this->Common[i] = uses[i];
+      this->Common[kind] = uses[place];
     }
-    if (object && way != this->Common[i].Way)
+    if (object && way != this->Common[kind].Way)
     {
-      Entry& entry = this->Uncommon[i].try_emplace(object, Entry{ way, false }).first->second;
+      Entry& entry = this->Uncommon[kind].try_emplace(object, Entry{ way, false }).first->second;
       entry.IsMixed = entry.IsMixed || entry.Way != way;
     }
   }
@@ -183,10 +182,11 @@ void vtkNBufferSharedState::Add(const Uses& uses)
 
 void vtkNBufferSharedState::AddCommon(const Uses& uses)
 {
-  for (std::size_t i = 0; i < uses.size(); ++i)
+  for (std::size_t place = 0; place < uses.size(); ++place)
   {
-    const auto found = this->Uncommon[i].find(uses[i].Object);
-    if (found != this->Uncommon[i].end() && uses[i].Way == this->Common[i].Way)
+    const std::size_t kind = GetKind(place);
+    const auto found = this->Uncommon[kind].find(uses[place].Object);
+    if (found != this->Uncommon[kind].end() && uses[place].Way == this->Common[kind].Way)
     {
       found->second.IsMixed = true;
     }
@@ -195,14 +195,20 @@ void vtkNBufferSharedState::AddCommon(const Uses& uses)
 
 bool vtkNBufferSharedState::IsMixed(const Uses& uses, std::size_t place) const
 {
-  const auto found = this->Uncommon[place].find(uses[place].Object);
-  return found != this->Uncommon[place].end() && found->second.IsMixed;
+  const auto& uncommon = this->Uncommon[GetKind(place)];
+  const auto found = uncommon.find(uses[place].Object);
+  return found != uncommon.end() && found->second.IsMixed;
+}
+
+bool vtkNBufferSharedState::HasMixedData(const Uses& uses) const
+{
+  return this->IsMixed(uses, LookupTable) || this->IsMixed(uses, TextureTable) ||
+    this->IsMixed(uses, Points);
 }
 
 bool vtkNBufferSharedState::IsMixed(const Uses& uses) const
 {
-  return this->IsMixed(uses, Shaders) || this->IsMixed(uses, LookupTable) ||
-    this->IsMixed(uses, Points);
+  return this->IsMixed(uses, Shaders) || this->HasMixedData(uses);
 }
 
 bool vtkNBufferSharedState::HasNewShaders(vtkMapper* mapper)

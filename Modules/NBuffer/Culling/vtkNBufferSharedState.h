@@ -52,13 +52,15 @@ public:
   };
 
   ///@{
-  /// What one actor uses: its mapper twice, a lookup table, and an array of points. Actors that use
-  /// the mapper in different ways by the first number do so by the second one, too.
+  /// What one actor uses: its mapper twice, the lookup table of its scalars, an array of points,
+  /// and the lookup table of a texture. Actors that use the mapper in different ways by the first
+  /// number do so by the second one, too.
   static constexpr std::size_t Parameters = 0; ///< Which parameters of the shaders are set.
   static constexpr std::size_t Shaders = 1;    ///< Which shaders are needed.
   static constexpr std::size_t LookupTable = 2;
   static constexpr std::size_t Points = 3;
-  using Uses = std::array<Use, 4>;
+  static constexpr std::size_t TextureTable = 4;
+  using Uses = std::array<Use, 5>;
   ///@}
 
   /// The uses of an actor whose pipeline is up to date.
@@ -73,9 +75,10 @@ public:
   ///@}
 
   ///@{
-  /// Whether one of these objects, or any of them, is used in several ways.
+  /// Whether one of these objects, any of them, or any but the mapper is used in several ways.
   bool IsMixed(const Uses& uses, std::size_t place) const;
   bool IsMixed(const Uses& uses) const;
+  bool HasMixedData(const Uses& uses) const;
   ///@}
 
   /// Whether a mapper may draw by shaders that were made for another way of using it, by `Shaders`
@@ -106,6 +109,12 @@ private:
     bool IsMixed;
   };
 
+  /// Textures and scalars share one kind of object.
+  static constexpr std::size_t GetKind(std::size_t place)
+  {
+    return place == TextureTable ? LookupTable : place;
+  }
+
   /// The first use of each kind of object. Its way is the common one: most actors use their mapper
   /// (or table, or points) in this way. `Uncommon` holds the objects that are used in other ways.
   Uses Common;
@@ -114,4 +123,3 @@ private:
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkNBufferSharedState.h

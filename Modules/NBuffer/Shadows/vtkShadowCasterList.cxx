@@ -224,12 +224,16 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   }
   const std::vector<vtkNBufferSurface::Plane> planes =
     vtkNBufferSurface::GetClippingPlanes(actor->GetMapper());
+  // A matrix that mirrors makes the device take front faces for back faces.
+  vtkProperty* property = actor->GetProperty();
+  const bool isInsideSeen = matrix->Determinant() < 0.0 ? property->GetBackfaceCulling() != 0
+                                                        : property->GetFrontfaceCulling() != 0;
   const auto addMesh = [&](const vtkNBufferSurface::Part& part, vtkGlyph3DMapper* glyphs)
   {
     this->AddMesh(part, glyphs, path, planes, member);
     for (const std::unique_ptr<vtkShadowCaster>& caster : member.Meshes.back().Casters)
     {
-      caster->SetInsideIsSeen(actor->GetProperty()->GetFrontfaceCulling() != 0);
+      caster->SetInsideIsSeen(isInsideSeen);
     }
   };
   vtkGlyph3DMapper* glyphs = vtkNBufferGlyphs::GetMapper(actor->GetMapper());

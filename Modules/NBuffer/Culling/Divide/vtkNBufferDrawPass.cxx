@@ -97,14 +97,34 @@ vtkNBufferDrawPass::User& vtkNBufferDrawPass::AddUser(vtkActor* actor)
   if (!user.Actor)
   {
     user = { actor, 0 };
-    if (!actor->GetPropertyKeys())
-    {
-      vtkNew<vtkInformation> keys;
-      actor->SetPropertyKeys(keys);
-    }
-    vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), this);
+    this->AddTo(actor);
   }
   return user;
+}
+
+void vtkNBufferDrawPass::AddTo(vtkActor* actor)
+{
+  if (!actor->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    actor->SetPropertyKeys(keys);
+  }
+  vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), this);
+}
+
+bool vtkNBufferDrawPass::AttachAgain(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; keys && i < passes->Length(keys); ++i)
+  {
+    if (passes->Get(keys, i) == this)
+    {
+      return false;
+    }
+  }
+  this->AddTo(actor);
+  return true;
 }
 
 void vtkNBufferDrawPass::Attach(vtkActor* actor)

@@ -33,11 +33,20 @@ void vtkNBufferFrameGuard::Detach()
 void vtkNBufferFrameGuard::BeginFrame(vtkObject* culler)
 {
   this->Culler = culler;
+  // An application that removes its own observers may remove the guard with them.
+  if (!this->Renderer->HasObserver(vtkCommand::EndEvent, this) ||
+    !this->Renderer->HasObserver(vtkCommand::DeleteEvent, this) ||
+    !this->Props->HasObserver(vtkCommand::ModifiedEvent, this))
+  {
+    this->Detach();
+    this->Attach(this->Renderer);
+  }
   if (this->IsComplete)
   {
     return;
   }
   this->IsComplete = true;
+  this->References.clear();
   vtkCollectionSimpleIterator cookie;
   this->Props->InitTraversal(cookie);
   while (vtkProp* prop = this->Props->GetNextProp(cookie))
