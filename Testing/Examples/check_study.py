@@ -12,16 +12,13 @@ import shutil
 import subprocess
 import sys
 
+from running import check
+
 BENCH, SOURCE, OUT = (pathlib.Path(argument) for argument in sys.argv[1:])
 DOCUMENTS = ("accuracy", "accuracy-depth", "accuracy-device", "accuracy-levels",
              "accuracy-particles", "accuracy-scenes", "accuracy-settings", "accuracy-shadow-maps",
              "accuracy-shadows")
 CHARTS = ("depth-", "pareto-", "shadows-", "shadow-errors-", "settings-city-street", "settings-birds")
-
-
-def check(holds, message):
-    if not holds:
-        sys.exit(f"check_study.py: {message}")
 
 
 def run(script, *arguments):

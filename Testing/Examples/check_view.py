@@ -11,7 +11,6 @@
 Where a window needs a display that is missing, it prints "Skipped: " and the reason.
 """
 import json
-import os
 import pathlib
 import re
 import shutil
@@ -21,25 +20,16 @@ import sys
 import time
 import zlib
 
+import running
 import view_files
+from running import IS_X, check, skip_without_display
 
 TEST, PROGRAM = sys.argv[1:3]
 OUT = pathlib.Path(sys.argv[3])
-IS_X = os.environ.get("VTK_DEFAULT_OPENGL_WINDOW") == "vtkXOpenGLRenderWindow"
-
-
-def check(holds, message):
-    if not holds:
-        sys.exit(f"check_view.py: {message}")
 
 
 def run(*arguments, status=0):
-    """What the program prints to stdout and to stderr."""
-    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-                          errors="replace", timeout=240, check=False)
-    check(done.returncode == status, f"{arguments} ended with {done.returncode} instead of {status}: "
-          f"{done.stdout}{done.stderr}")
-    return done.stdout, done.stderr
+    return running.run(PROGRAM, *arguments, status=status, timeout=240)
 
 
 def draw(file, keys, size="240x180"):
@@ -122,10 +112,9 @@ def test_files():
     check("\n3 parts;" in several, several)
     if len(sys.argv) > 4:
         for name, count in (("boxes.vtu", 65), ("boxes.vtm", 65)):
-            printed = subprocess.run(
-                [sys.argv[4], "walk", "--scene", OUT / name, "--split", "--frames", "2", "--size",
-                 "161x119", "--verify", "--json", OUT / "walk.json"],
-                capture_output=True, text=True, timeout=240, check=True).stdout
+            printed, _ = running.run(
+                sys.argv[4], "walk", "--scene", OUT / name, "--split", "--frames", 2, "--size",
+                "161x119", "--verify", "--json", OUT / "walk.json", timeout=240)
             check("0 bytes differ" in printed and
                   json.loads((OUT / "walk.json").read_text())["props"] == count, printed)
     # The names of the parts; the wall is box0.
@@ -273,9 +262,7 @@ def test_keys():
 
 
 def main():
-    if IS_X and not os.environ.get("DISPLAY"):
-        print("Skipped: this VTK opens X windows only, and DISPLAY is not set")
-        return
+    skip_without_display()
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir(parents=True)
     {"files": test_files, "errors": test_errors, "keys": test_keys}[TEST]()
