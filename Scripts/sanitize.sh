@@ -57,7 +57,7 @@ run_valgrind() {
   valgrind_run nbuffer-unit-tests \
     'NBufferMath*:*Once.*:*LevelsSmall*:NBufferTieOrder*:NBufferBackOff*:NBufferStatistics*'
   valgrind_run nbuffer-gpu-tests 'GpuTestNBufferTexture.*'
-  valgrind_run nbuffer-image-tests 'CullerBasics.NoPropsAndOneProp:CullerChangesOnce.ADoorThatOpens'
+  valgrind_run nbuffer-image-tests 'CullerBasics.NoPropsAndOneProp:CullerChangesOnce.EverythingMoves'
   valgrind_run nbuffer-leak-tests '-LeaksOverManyFrames.*'
 }
 

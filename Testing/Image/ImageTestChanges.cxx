@@ -421,25 +421,6 @@ INSTANTIATE_TEST_SUITE_P(Prop, CullerChanges, testing::ValuesIn(PropChanges), Ge
 INSTANTIATE_TEST_SUITE_P(Occluder, CullerChanges, testing::ValuesIn(OccluderChanges), GetCaseName);
 INSTANTIATE_TEST_SUITE_P(View, CullerChanges, testing::ValuesIn(ViewChanges), GetCaseName);
 
-// Hazard: a moving occluder uncovers in every frame something that was hidden in the one before.
-TEST(CullerChangesOnce, ADoorThatOpens)
-{
-  Comparison comparison(Scenes::BuildWall);
-  comparison.Frame("closed");
-  int hidden = comparison.GetHidden();
-  EXPECT_GE(hidden, Wall::Hidden);
-  for (int i = 0; i < 20; ++i)
-  {
-    comparison.Frame(
-      [i](Stage& stage) { stage.GetActor(Wall::Index)->SetPosition(0.5 * i, 0.0, 0.0); });
-    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    // At the end nothing hides but the boxes each other, here and there.
-    EXPECT_LE(comparison.GetHidden(), hidden + 1) << i;
-    hidden = comparison.GetHidden();
-  }
-  EXPECT_LT(hidden, Wall::Behind / 4);
-}
-
 // Hazard: all props move and deform at once, and each has its own caches.
 TEST(CullerChangesOnce, EverythingMoves)
 {

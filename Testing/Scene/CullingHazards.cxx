@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace TestScene
 {
@@ -119,51 +118,6 @@ NamedScenario NearPlaneCutsTheOccluder()
     view.Far = 40.0;
     // Behind an open wall they hide each other at most.
     scene.ExpectHidden(near >= 2.0 && near <= 20.25 ? 41 : 0, near < 20.25 ? 1000 : 9);
-    scene.NextFrame();
-  }
-  return scene.Finish();
-}
-
-/// Thousands of specks smaller than a pixel, of which none may vanish.
-NamedScenario Specks()
-{
-  HazardBuilder scene("Specks");
-  scene.Box({ 0.0, 0.0, 0.0 }, { 5.0, 3.0, 0.2 });
-  std::mt19937 random(5);
-  const auto draw = [&random](double step, double low)
-  { return step * static_cast<double>(random() % 1000) + low; };
-  for (int i = 0; i < 600; ++i)
-  {
-    const double x = draw(0.012, -6.0);
-    const double y = draw(0.008, -4.0);
-    scene.Box({ x, y, draw(0.004, -3.0) }, { 0.02, 0.02, 0.02 });
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    scene.LookFrom({ 0.4 * i, 0.0, 16.0 });
-    scene.ExpectHidden(51);
-    scene.NextFrame();
-  }
-  return scene.Finish();
-}
-
-/// Gaps between slats are about a pixel wide: a reduced depth must be the farthest one.
-NamedScenario FenceWithNarrowGaps(int baseFactor)
-{
-  HazardBuilder scene("FenceWithNarrowGaps");
-  scene.Scene.Culler.BaseFactor = baseFactor;
-  for (int i = 0; i < 60; ++i)
-  {
-    scene.Box({ 0.2 * i - 6.0, 0.0, 2.0 }, { 0.165, 8.0, 0.05 });
-  }
-  for (int i = 0; i < 60; ++i)
-  {
-    scene.Box({ 0.19 * i - 5.8, 0.1 * (i % 30) - 1.5, -2.0 }, { 0.15, 0.15, 0.15 });
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    scene.LookFrom({ 0.33 * i, 0.0, 16.0 });
-    scene.ExpectHidden(6).NeedsPixels = true;
     scene.NextFrame();
   }
   return scene.Finish();
@@ -451,14 +405,10 @@ NamedScenario TheCameraJumpsBackAndForth()
 std::vector<NamedScenario> GetCullingHazards()
 {
   std::vector<NamedScenario> hazards = { TheSameQuadFiftyTimes(), DecalsOnFaces(),
-    AbuttingTilesAndBoxes(), FlyingThroughBoxes(), NearPlaneCutsTheOccluder(), Specks(),
+    AbuttingTilesAndBoxes(), FlyingThroughBoxes(), NearPlaneCutsTheOccluder(),
     LargeMatricesAndScales(), ExtremeClippingRanges(), NearPlaneThroughABox(), EyeInsideABox(false),
     EyeInsideABox(true), BoxesBehindTheEyeAndBesideIt(), BoxesSmallerThanAPixel(),
     TheCameraJumpsBackAndForth() };
-  for (const int baseFactor : { 1, 2, 4, 8 })
-  {
-    hazards.push_back(FenceWithNarrowGaps(baseFactor));
-  }
   for (const int samples : { 0, 4 })
   {
     hazards.push_back(LongPropsAreHiddenPixelByPixel(false, samples));

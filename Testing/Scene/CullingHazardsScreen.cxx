@@ -390,6 +390,7 @@ std::vector<NamedScenario> GetScreenHazards()
       hazards.push_back(make(factor));
     }
   }
+  hazards.push_back(ChainLinkFence(2));
   for (const auto& [width, height] :
     std::initializer_list<std::array<int, 2>>{ { 1, 1 }, { 2, 2 }, { 3, 1 }, { 1, 97 }, { 97, 1 },
       { 8, 8 }, { 9, 7 }, { 1, 1000 }, { 1500, 1 }, { 1021, 17 }, { 19, 1023 } })

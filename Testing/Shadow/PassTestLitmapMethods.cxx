@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The paper's litmap compared with the scattered one: where both find all receivers, and where the
-// paper's does not.
+// The paper's litmap compared with the scattered one where both find all receivers.
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "RerenderedLitmap.h"
@@ -12,7 +11,6 @@
 #include "vtkActor.h"
 
 #include <functional>
-#include <iostream>
 #include <string>
 #include <utility>
 
@@ -29,27 +27,9 @@ void AddLargeReceivers(SceneBuilder& scene)
   scene.Look({ 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
 }
 
-/// A wall above a floor, of which the light sees next to nothing. The box above them is out of
-/// sight.
-void AddThinReceiver(SceneBuilder& scene)
-{
-  scene.Sheet({ -2.0, 0.0, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
-  scene.Box({ 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
-  scene.Floor(5.0, -2.5);
-  scene.Directional({ 0.0, 0.002, -1.0 });
-  scene.Look({ 0.0, -8.0, -0.5 }, { 0.0, 0.0, -0.8 }, 25.0);
-}
-
 std::shared_ptr<vtkShadowLitmapSource> MakePaperLitmap()
 {
   return std::make_shared<NBufferPeers::RerenderedLitmap>();
-}
-
-MaskComparison CountWrong(const Stage& stage, vtkShadowVolumeClampPass* pass)
-{
-  stage.Window->Render();
-  EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
-  return CompareMask(GetMask(stage, pass), Cast(stage.GetRenderer(), stage.Lights[0]));
 }
 
 constexpr int Modes[] = { vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeClampPass::Clamped };
@@ -94,8 +74,9 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
       const vtkShadowStatistics before = pass->GetStatistics();
       Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
       stage.Window->Render();
-      // Litmaps that are drawn again from the light are not conservative (see below). On an NVIDIA
-      // H100 one sample is lost here.
+      // Litmaps that are drawn again from the light are not conservative
+      // (GpuTestRerenderedLitmap.MissesWhatScatteringFinds). On an NVIDIA H100 one sample is lost
+      // here.
       const ShadowMask drawn = GetMask(stage, pass);
       int differing = 0;
       for (std::size_t i = 0; i < drawn.size(); ++i)
@@ -107,27 +88,6 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
       EXPECT_EQ(pass->GetStatistics().Verdicts, before.Verdicts);
       EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
     }
-  }
-}
-
-// The defect because of which the module scatters receivers: the shadow on a wall along the light
-// is lost.
-TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
-{
-  const Stage stage = SetStage(AddThinReceiver);
-  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  for (const int mode : Modes)
-  {
-    SCOPED_TRACE("mode " + std::to_string(mode));
-    pass->SetMode(mode);
-    Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
-    const MaskComparison scattered = CountWrong(stage, pass);
-    Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
-    const MaskComparison rerendered = CountWrong(stage, pass);
-    std::cout << "scattered: " << scattered << "\nrerendered: " << rerendered << "\n";
-    EXPECT_GT(scattered.Shadowed, 500);
-    EXPECT_EQ(scattered.Wrong, 0);
-    EXPECT_GT(rerendered.Wrong, 100);
   }
 }
 
