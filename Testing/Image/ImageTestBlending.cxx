@@ -56,11 +56,7 @@ TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
         stage.GetActor(glass)->GetProperty()->SetOpacity(0.5);
       }
     });
-  for (int i = 0; i < 4; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 3.0 * i);
-    EXPECT_GT(comparison.GetHidden(), 20);
-  }
+  Scenes::ExpectFramesOfWall(comparison, { 0.0, 3.0, 6.0, 9.0 }, 21);
 }
 
 namespace

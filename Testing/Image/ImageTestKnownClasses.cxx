@@ -107,10 +107,7 @@ Comparison MakeComparison(const Comparison::Change& change, bool compareDraws = 
 /// Frames in which the wall is passed, with the verdict of the prop behind it.
 void ExpectVerdict(Comparison& comparison, Verdict expected)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.1 * i);
-  }
+  Scenes::FramesOfWall(comparison, { 0.0, 0.1, 0.2 });
   EXPECT_EQ(comparison.GetVerdict(Wall::Count), expected);
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   Scenes::FrameOfWall(comparison, 9.0, "behind the wall's edge");
@@ -127,12 +124,7 @@ TEST(CullerKnownClasses, Pass)
   EXPECT_EQ(comparison.GetDecision(), Decision::RenderPass);
   EXPECT_EQ(comparison.GetHidden(), 0);
   vtkNBufferCuller::AddKnownPass("OwnPass");
-  for (int i = 0; i < 5; ++i)
-  {
-    Scenes::FrameOfWall(comparison, i < 3 ? 0.2 * i : 4.0 * i, "known");
-    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
-  }
+  Scenes::ExpectFramesOfWall(comparison, { 0.0, 0.2, 0.4, 12.0, 16.0 }, Wall::Behind / 3 + 1);
   comparison.Frame("still");
 }
 

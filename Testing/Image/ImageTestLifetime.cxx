@@ -62,10 +62,8 @@ TEST_P(CullerLifetime, PropsDeletedByAnObserver)
   {
     SCOPED_TRACE(moving ? "while the camera moves" : "after still frames");
     Comparison comparison(BuildWallAndGlass);
-    for (int i = 0; i < 3; ++i)
-    {
-      Scenes::FrameOfWall(comparison, moving ? 0.05 * i : 0.0, "before");
-    }
+    const double step = moving ? 0.05 : 0.0;
+    Scenes::FramesOfWall(comparison, { 0.0, step, 2.0 * step });
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Hidden);
     EXPECT_EQ(comparison.GetVerdict(Glass), Verdict::Translucent);
@@ -128,11 +126,7 @@ TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
   ComparisonOptions options;
   options.CompareDraws = false; // of a culler that is gone
   Comparison comparison(Scenes::BuildWall, options);
-  for (int i = 0; i < 3; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.1 * i, "before");
-    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  }
+  Scenes::ExpectFramesOfWall(comparison, { 0.0, 0.1, 0.2 }, Wall::Hidden);
   Stage& culled = comparison.Culled;
   const vtkWeakPointer<vtkNBufferCuller> culler(culled.Culler.Get());
   Observe(culled.GetActor(Wall::Index)->GetMapper(), vtkCommand::StartEvent,
@@ -289,10 +283,7 @@ TEST(CullerLifetimeOnce, NewPropAtTheAddressOfADeletedLargeOne)
       add(stage.GetRenderer(), 2.0);
     },
     LargeProps::MakeOptionsWithoutDraws());
-  for (int i = 0; i < 6; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.05 * i, "before");
-  }
+  Scenes::FramesOfWall(comparison, { 0.0, 0.05, 0.1, 0.15, 0.2, 0.25 });
   EXPECT_GT(comparison.GetStatistics().Units, 0);
   comparison.Both(
     [&](Stage& stage)
@@ -303,10 +294,7 @@ TEST(CullerLifetimeOnce, NewPropAtTheAddressOfADeletedLargeOne)
       const void* after = add(stage.GetRenderer(), 3.0);
       haveSameAddress = haveSameAddress || (&stage == &comparison.Culled && after == before);
     });
-  for (int i = 0; i < 6; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.05 * i, "after");
-  }
+  Scenes::FramesOfWall(comparison, { 0.0, 0.05, 0.1, 0.15, 0.2, 0.25 });
   EXPECT_GT(comparison.GetStatistics().Units, 0);
   if (!haveSameAddress)
   {

@@ -117,11 +117,7 @@ TEST(CullerOverlay, OrientationMarkerWidget)
         widgets.push_back(widget);
         interactors.push_back(interactor);
       });
-    for (int i = 0; i < 4; ++i)
-    {
-      Scenes::FrameOfWall(comparison, 0.2 * i, "moved");
-      EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-    }
+    Scenes::ExpectFramesOfWall(comparison, { 0.0, 0.2, 0.4, 0.6 }, Wall::Hidden);
     for (const auto& widget : widgets)
     {
       widget->SetEnabled(0);

@@ -221,11 +221,7 @@ TEST(CullerPassesOnce, PropsWithoutTheKeysOfAPassStayOut)
       stage.GetRenderer()->SetPass(camera);
     },
     options);
-  for (int i = 0; i < 4; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.2 * i);
-    EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
-  }
+  Scenes::ExpectStepsAside(comparison, { 0.0, 0.2, 0.4, 0.6 }, Decision::OtherView);
 }
 
 namespace
@@ -253,12 +249,7 @@ TEST(CullerPassesOnce, SingleDepthPeelingOfTheRenderer)
       stage.GetRenderer()->SetMaximumNumberOfPeels(6);
       stage.GetRenderer()->SetOcclusionRatio(0.0);
     });
-  for (int i = 0; i < 4; ++i)
-  {
-    Scenes::FrameOfWall(comparison, i < 3 ? 0.2 * i : 12.0, "moved");
-    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
-  }
+  Scenes::ExpectFramesOfWall(comparison, { 0.0, 0.2, 0.4, 12.0 }, Wall::Behind / 3 + 1);
 }
 
 // Hazard: MSAA in a city: single samples of distant props at the silhouettes of near ones.

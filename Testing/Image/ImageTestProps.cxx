@@ -129,10 +129,7 @@ TEST(CullerSelections, AreDrawnUntilTheMapperForgetsThem)
   };
   const auto renderThrice = [&]
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      Scenes::FrameOfWall(comparison, 0.1 * i);
-    }
+    Scenes::FramesOfWall(comparison, { 0.0, 0.1, 0.2 });
     return comparison.GetVerdict(Wall::Count);
   };
   EXPECT_EQ(renderThrice(), Verdict::Hidden);

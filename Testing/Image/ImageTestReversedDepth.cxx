@@ -235,10 +235,7 @@ TEST_P(CullerReversedDepth, TranslucentProps)
       Scenes::SetWallCamera(stage.GetRenderer());
     },
     GetReversedOptions(this->GetParam()));
-  for (int i = 0; i < 5; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.2 * i);
-  }
+  Scenes::FramesOfWall(comparison, { 0.0, 0.2, 0.4, 0.6, 0.8 });
   int hidden = 0;
   int shown = 0;
   for (int i = 0; i < 8; ++i)
@@ -497,12 +494,7 @@ TEST_P(CullerReversedDepthOnce, ShadowPassDrawsWithoutShadows)
       }
     },
     options);
-  for (int i = 0; i < 3; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.2 * i);
-    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    EXPECT_GT(comparison.GetHidden(), 0);
-  }
+  Scenes::ExpectFramesOfWall(comparison, { 0.0, 0.2, 0.4 }, 1);
   const std::size_t first = comparison.Messages.find("Drawn without shadows. Depth is reversed");
   EXPECT_NE(first, std::string::npos) << comparison.Messages;
   EXPECT_EQ(comparison.Messages.find("Drawn without shadows", first + 1), std::string::npos);

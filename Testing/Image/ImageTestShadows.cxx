@@ -239,10 +239,5 @@ TEST(CullerShadows, PassInASequenceAndInAPartOfTheWindow)
       stage.GetRenderer()->SetPass(
         TestScene::MakePass(TestScene::PassKind::ShadowVolumesInSequence, AddShadows(stage)));
     });
-  for (int i = 0; i < 4; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.2 * i);
-    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
-  }
+  Scenes::ExpectFramesOfWall(comparison, { 0.0, 0.2, 0.4, 0.6 }, Wall::Behind / 3 + 1);
 }

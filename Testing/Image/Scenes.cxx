@@ -236,6 +236,35 @@ void FrameOfWall(Comparison& comparison, double shift, const std::string& what)
   comparison.Frame(what);
 }
 
+void FramesOfWall(Comparison& comparison, std::initializer_list<double> shifts)
+{
+  for (const double shift : shifts)
+  {
+    FrameOfWall(comparison, shift);
+  }
+}
+
+void ExpectFramesOfWall(Comparison& comparison, std::initializer_list<double> shifts, int hidden)
+{
+  for (const double shift : shifts)
+  {
+    FrameOfWall(comparison, shift);
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled) << "shifted by " << shift;
+    EXPECT_GE(comparison.GetHidden(), hidden) << "shifted by " << shift;
+  }
+}
+
+void ExpectStepsAside(
+  Comparison& comparison, std::initializer_list<double> shifts, Decision decision)
+{
+  for (const double shift : shifts)
+  {
+    FrameOfWall(comparison, shift);
+    EXPECT_EQ(comparison.GetDecision(), decision) << "shifted by " << shift;
+    EXPECT_EQ(comparison.GetHidden(), 0) << "shifted by " << shift;
+  }
+}
+
 void MoveCityCamera(Comparison& comparison, double t)
 {
   comparison.Both([t](Stage& stage) { SetCityCamera(stage.GetRenderer(), t); });

@@ -12,6 +12,7 @@
 #include "SceneBuilder.h"
 #include "Shapes.h"
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,17 @@ void SetWallCamera(vtkRenderer* renderer, double shift = 0.0);
 /// Do so in both stages. FrameOfWall() also renders and compares a frame.
 void MoveWallCamera(Comparison& comparison, double shift);
 void FrameOfWall(Comparison& comparison, double shift, const std::string& what = "");
+///@}
+
+/// Renders and compares a frame of the wall scene for each of these shifts of the camera.
+void FramesOfWall(Comparison& comparison, std::initializer_list<double> shifts);
+
+///@{
+/// Do so, and expect in each frame that the culler hides at least so many props, or that it steps
+/// aside with this decision and hides none.
+void ExpectFramesOfWall(Comparison& comparison, std::initializer_list<double> shifts, int hidden);
+void ExpectStepsAside(
+  Comparison& comparison, std::initializer_list<double> shifts, Decision decision);
 ///@}
 
 /// Adds eight translucent boxes on both sides of the wall.
