@@ -374,11 +374,7 @@ TEST_P(CullerReversedDepthOnce, DrawnTwiceInUnlikeDepths)
         TestScene::MakeSequence({ vtkNew<vtkLightsPass>(), vtkNew<vtkOpaquePass>(), reversed }));
       Scenes::BuildWall(stage);
     });
-  for (int i = 0; i < 4; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.2 * i);
-    EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
-  }
+  Scenes::ExpectStepsAside(comparison, { 0.0, 0.2, 0.4, 0.6 }, Decision::OtherView);
 }
 
 // Hazard: an offset that pushes surfaces away from the eye pulls them towards the eye.
@@ -398,12 +394,7 @@ TEST_P(CullerReversedDepthOnce, StepsAsideForOffsets)
       });
     vtkMapper::SetResolveCoincidentTopology(
       isGlobal ? VTK_RESOLVE_POLYGON_OFFSET : VTK_RESOLVE_OFF);
-    for (int i = 0; i < 3; ++i)
-    {
-      Scenes::FrameOfWall(comparison, 0.2 * i);
-      EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
-      EXPECT_EQ(comparison.GetHidden(), 0);
-    }
+    Scenes::ExpectStepsAside(comparison, { 0.0, 0.2, 0.4 }, Decision::OtherView);
     vtkMapper::SetResolveCoincidentTopologyToDefault();
   }
 }
@@ -443,12 +434,7 @@ TEST_P(CullerReversedDepthOnce, StepsAsideWhereShadersCompareDepth)
         sequence->SetPasses(passes);
         GetReversedPass(stage)->Delegate = sequence;
       });
-    for (int i = 0; i < 3; ++i)
-    {
-      Scenes::FrameOfWall(comparison, 0.2 * i);
-      EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
-      EXPECT_EQ(comparison.GetHidden(), 0);
-    }
+    Scenes::ExpectStepsAside(comparison, { 0.0, 0.2, 0.4 }, Decision::OtherView);
   }
 }
 
@@ -467,12 +453,7 @@ TEST_P(CullerReversedDepthOnce, StepsAsideForOtherDepthFunctions)
         Scenes::BuildWall(stage);
       },
       options);
-    for (int i = 0; i < 3; ++i)
-    {
-      Scenes::FrameOfWall(comparison, 0.2 * i);
-      EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
-      EXPECT_EQ(comparison.GetHidden(), 0);
-    }
+    Scenes::ExpectStepsAside(comparison, { 0.0, 0.2, 0.4 }, Decision::OtherView);
   }
 }
 
