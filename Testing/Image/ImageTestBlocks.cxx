@@ -300,7 +300,7 @@ void Move(Stage& stage, unsigned int n, const glm::dvec3& by)
   GetBlock(stage, n)->Modified();
 }
 
-const LargeProps::Change BlockChanges[] = {
+const std::vector<LargeProps::Change> BlockChanges = LargeProps::AndCommonChanges({
   { "Points",
     [](Stage& stage)
     {
@@ -343,14 +343,6 @@ const LargeProps::Change BlockChanges[] = {
       }
     } },
   { "BlockOpacity", [](Stage& stage) { GetBlockMapper(stage)->SetBlockOpacity(40, 0.5); }, false },
-  { "Actor",
-    [](Stage& stage)
-    {
-      stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3);
-      stage.GetActor(0)->RotateX(4.0);
-    } },
-  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); },
-    VTKNBUFFER_EDGES_KEEP_TRIANGLES },
   { "Selection",
     [](Stage& stage)
     {
@@ -366,7 +358,6 @@ const LargeProps::Change BlockChanges[] = {
       GetBlockMapper(stage)->SetSelection(selection);
     },
     false },
-  { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
   // VTK shows arbitrary colors on blocks without a texture if others have one. (Before 9.6 blocks
   // cannot have textures of their own.)
   { "Textures",
@@ -396,7 +387,8 @@ const LargeProps::Change BlockChanges[] = {
       }
       GetBlocks(stage)->Modified();
     } },
-};
+  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); }, false },
+});
 }
 
 class CullerBlocksChanges : public testing::TestWithParam<LargeProps::Change>

@@ -388,7 +388,7 @@ vtkPolyData* GetDividedData(Stage& stage)
   return vtkPolyData::SafeDownCast(stage.GetActor(0)->GetMapper()->GetInputDataObject(0, 0));
 }
 
-const LargeProps::Change DivisionChanges[] = {
+const std::vector<LargeProps::Change> DivisionChanges = LargeProps::AndCommonChanges({
   { "Points",
     [](Stage& stage)
     {
@@ -422,12 +422,6 @@ const LargeProps::Change DivisionChanges[] = {
       GetDividedData(stage)->GetPointData()->SetScalars(nullptr);
       stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1);
     } },
-  { "Actor",
-    [](Stage& stage)
-    {
-      stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3);
-      stage.GetActor(0)->RotateX(4.0);
-    } },
   { "CellColors",
     [](Stage& stage)
     {
@@ -441,10 +435,6 @@ const LargeProps::Change DivisionChanges[] = {
       static_cast<vtkPolyDataMapper*>(stage.GetActor(0)->GetMapper())
         ->SetInputData(TurnCells(GetDividedData(stage)));
     } },
-  { "Wireframe",
-    [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); }, false },
-  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); },
-    VTKNBUFFER_EDGES_KEEP_TRIANGLES },
   { "Lines",
     [](Stage& stage)
     {
@@ -461,10 +451,7 @@ const LargeProps::Change DivisionChanges[] = {
       GetDividedData(stage)->SetVerts(vertices);
     },
     false },
-  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); } },
   { "PropertyKeys", [](Stage& stage) { stage.GetActor(0)->SetPropertyKeys(nullptr); } },
-  { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); }, false },
-  { "Hidden", [](Stage& stage) { stage.GetActor(0)->VisibilityOff(); }, false },
   { "SharedMapper",
     [](Stage& stage)
     {
@@ -473,8 +460,8 @@ const LargeProps::Change DivisionChanges[] = {
         ->SetMapper(stage.GetActor(0)->GetMapper());
       stage.GetActor(static_cast<int>(stage.Props.size()) - 1)->SetPosition(3.0, 0.0, 1.0);
     } },
-  { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
-};
+  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); } },
+});
 }
 
 class CullerDivisionChanges : public testing::TestWithParam<LargeProps::Change>

@@ -335,7 +335,7 @@ vtkPolyData* GetSource(Stage& stage)
   return vtkPolyData::SafeDownCast(GetGlyphMapper(stage)->GetInputDataObject(1, 0));
 }
 
-const LargeProps::Change GlyphChanges[] = {
+const std::vector<LargeProps::Change> GlyphChanges = LargeProps::AndCommonChanges({
   { "Points",
     [](Stage& stage)
     {
@@ -362,7 +362,6 @@ const LargeProps::Change GlyphChanges[] = {
       GetGlyphMapper(stage)->ScalarVisibilityOff();
       stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1);
     } },
-  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); } },
   { "ColorOfProperty",
     [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1); } },
   { "Lighting", [](Stage& stage) { stage.GetActor(0)->GetProperty()->LightingOff(); } },
@@ -375,12 +374,6 @@ const LargeProps::Change GlyphChanges[] = {
       mapper->ScalingOff();
       mapper->OrientOff();
       stage.GetActor(0)->SetMapper(mapper);
-    } },
-  { "Actor",
-    [](Stage& stage)
-    {
-      stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3);
-      stage.GetActor(0)->RotateX(4.0);
     } },
   { "Mask",
     [](Stage& stage)
@@ -414,10 +407,6 @@ const LargeProps::Change GlyphChanges[] = {
       AddSources(GetGlyphMapper(stage), { source });
     },
     false },
-  { "Wireframe",
-    [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); }, false },
-  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); },
-    VTKNBUFFER_EDGES_KEEP_TRIANGLES },
   { "Lines",
     [](Stage& stage)
     {
@@ -427,8 +416,6 @@ const LargeProps::Change GlyphChanges[] = {
       GetSource(stage)->Modified();
     },
     false },
-  { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); }, false },
-  { "Hidden", [](Stage& stage) { stage.GetActor(0)->VisibilityOff(); }, false },
   { "SharedMapper",
     [](Stage& stage)
     {
@@ -438,8 +425,8 @@ const LargeProps::Change GlyphChanges[] = {
       other->SetPosition(3.0, 0.0, 1.0);
       other->GetProperty()->SetColor(1.0, 0.0, 0.0);
     } },
-  { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
-};
+  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); } },
+});
 }
 
 class CullerGlyphsChanges : public testing::TestWithParam<LargeProps::Change>

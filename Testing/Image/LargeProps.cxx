@@ -4,6 +4,7 @@
 #include "Scenes.h"
 #include "TestedBackend.h"
 #include "vtkNBufferComputePrograms.h"
+#include "vtkNBufferVTKVersion.h"
 
 #include "vtkCamera.h"
 #include "vtkHardwareSelector.h"
@@ -11,17 +12,41 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 namespace LargeProps
 {
+std::vector<Change> AndCommonChanges(std::vector<Change> changes)
+{
+  const Change common[] = {
+    { "Actor",
+      [](Stage& stage)
+      {
+        stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3);
+        stage.GetActor(0)->RotateX(4.0);
+      } },
+    { "Wireframe",
+      [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); },
+      false },
+    { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); },
+      VTKNBUFFER_EDGES_KEEP_TRIANGLES },
+    { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); }, false },
+    { "Hidden", [](Stage& stage) { stage.GetActor(0)->VisibilityOff(); }, false },
+    { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
+  };
+  changes.insert(changes.end(), std::begin(common), std::end(common));
+  return changes;
+}
+
 ComparisonOptions MakeOptions(int unitSize)
 {
   ComparisonOptions options;

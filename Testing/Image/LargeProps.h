@@ -31,6 +31,9 @@ struct Change : NamedCase
   bool IsDividedAfterwards = true; ///< Whether the culler still draws the prop unit by unit then.
 };
 
+/// Returns these changes, and those that any large prop can undergo.
+std::vector<Change> AndCommonChanges(std::vector<Change> changes);
+
 /// Returns options with which props of 100 primitives and more are divided at once, into units of
 /// `unitSize` triangles.
 ComparisonOptions MakeOptions(int unitSize = 8);
