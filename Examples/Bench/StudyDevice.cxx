@@ -157,11 +157,9 @@ Json::Value MeasureSingle(
     return MakeRow(drawn, name, factor, 1, times);
   }
   std::vector<float> level;
-  std::string why;
   times = RepeatOnDevice(
-    drawn, [&]() { Check(single.Reduce(method, factor, why), "no level by OpenGL: ", why); },
-    [&]() { return single.GetDeviceTime(); },
-    [&]() { Check(single.Download(level, why), "no level by OpenGL: ", why); });
+    drawn, [&]() { single.Reduce(method, factor); }, [&]() { return single.GetDeviceTime(); },
+    [&]() { single.Download(level); });
   return MakeRow(drawn, name, factor, 1, times);
 }
 
@@ -178,9 +176,8 @@ public:
 
   Json::Value Run()
   {
-    Check(this->Chain.SetDepth(this->Screen.Window, { this->Depth, this->Depth },
-            this->Screen.GetWidth(), this->Screen.GetHeight(), this->Why),
-      "no array of depth: ", this->Why);
+    this->Chain.SetDepth(this->Screen.Window, { this->Depth, this->Depth }, this->Screen.GetWidth(),
+      this->Screen.GetHeight());
     this->AddChain("exact chain", ChainEdges::Exact, AllLevels);
     this->AddChain("fat chain", ChainEdges::Fat, AllLevels);
     this->AddChain("exact chain, levels 1 to 4", ChainEdges::Exact, 4);
@@ -224,8 +221,7 @@ private:
   void AddChain(const char* name, ChainEdges edges, int levels)
   {
     this->Add(
-      name, "",
-      [=]() { Check(this->Chain.BuildChain(edges, levels, this->Why), "no chain: ", this->Why); },
+      name, "", [=]() { this->Chain.BuildChain(edges, levels); },
       [this]() { return this->Chain.GetDeviceTime(); });
   }
 
@@ -235,8 +231,7 @@ private:
     this->Add(
       "groups " + side + " x " + side + (form.Gather ? ", gather" : ", fetch") +
         (form.Atomics ? ", atomics" : ", tree"),
-      DepthChain::WhyNotGroups(),
-      [=]() { Check(this->Chain.BuildGroups(form, this->Why), "no level: ", this->Why); },
+      DepthChain::WhyNotGroups(), [=]() { this->Chain.BuildGroups(form); },
       [this]() { return this->Chain.GetDeviceTime(); });
   }
 
@@ -247,9 +242,8 @@ private:
     SingleLevel eyes[2];
     for (SingleLevel& eye : eyes)
     {
-      Check(eye.SetDepth(this->Screen.Window, this->Depth, this->Screen.GetWidth(),
-              this->Screen.GetHeight(), this->Why),
-        "no texture of depth: ", this->Why);
+      eye.SetDepth(
+        this->Screen.Window, this->Depth, this->Screen.GetWidth(), this->Screen.GetHeight());
     }
     this->Add(
       "pass", "",
@@ -257,7 +251,7 @@ private:
       {
         for (SingleLevel& eye : eyes)
         {
-          Check(eye.Reduce(ReduceMethod::OnePass, factor, this->Why), "no level: ", this->Why);
+          eye.Reduce(ReduceMethod::OnePass, factor);
         }
       },
       [&]() { return eyes[0].GetDeviceTime() + eyes[1].GetDeviceTime(); });
@@ -293,7 +287,6 @@ private:
   const Drawn& Screen;
   const std::vector<float>& Depth;
   DepthChain Chain;
-  std::string Why;
   Json::Value Rows = Json::Value(Json::arrayValue);
 };
 
@@ -326,9 +319,7 @@ Json::Value MeasureBuilds(const Drawn& drawn)
     rows.append(MeasureHost(drawn, depth, "CPU, one level", factor, 1));
   }
   SingleLevel single;
-  std::string why;
-  Check(single.SetDepth(drawn.Window, depth, drawn.GetWidth(), drawn.GetHeight(), why),
-    "no texture of depth: ", why);
+  single.SetDepth(drawn.Window, depth, drawn.GetWidth(), drawn.GetHeight());
   for (int factor : LevelFactors)
   {
     rows.append(MeasureSingle(drawn, single, "pass", ReduceMethod::OnePass, factor));

@@ -54,7 +54,6 @@ void MeasureTimes(vtkOpenGLRenderWindow* window, ParticleCloud& cloud, const glm
   const char* const names[] = { "none", "maxima", "minima_first" };
   std::vector<double> build[3];
   std::vector<double> draw[3];
-  std::string why;
   for (int i = 0; i <= repetitions; ++i) // The first time does not count.
   {
     for (int k = 0; k < 3; ++k)
@@ -62,11 +61,13 @@ void MeasureTimes(vtkOpenGLRenderWindow* window, ParticleCloud& cloud, const glm
       const auto culling = static_cast<ParticleCulling>(k);
       window->WaitForCompletion();
       vtkNBufferClock clock;
-      Check(culling == ParticleCulling::None || cloud.Build(window, culling, why),
-        "particles cannot be drawn: ", why);
+      if (culling != ParticleCulling::None)
+      {
+        cloud.Build(window, culling);
+      }
       window->WaitForCompletion();
       const double built = clock.Restart();
-      Check(cloud.Draw(eyeToClip, culling, why), "particles cannot be drawn: ", why);
+      cloud.Draw(eyeToClip, culling);
       window->WaitForCompletion();
       const double drawn = clock.GetMilliseconds();
       if (i > 0)
@@ -96,19 +97,13 @@ int CountLookups(const ParticleCloud::Finding& finding, bool isOfBoxes, const in
 void CountTests(vtkOpenGLRenderWindow* window, ParticleCloud& cloud, const glm::dmat4& eyeToClip,
   bool isOfBoxes, const int size[2], Json::Value& entry)
 {
-  std::string why;
-  std::vector<unsigned int> fragments;
-  std::vector<unsigned int> passed;
-  std::vector<ParticleCloud::Finding> found;
-  std::vector<ParticleCloud::Finding> early;
-  Check(cloud.Build(window, ParticleCulling::Maxima, why), "particles cannot be drawn: ", why);
-  Check(cloud.Build(window, ParticleCulling::MinimaFirst, why), "particles cannot be drawn: ", why);
-  Check(cloud.CountFragments(eyeToClip, false, fragments, why), "particles cannot be drawn: ", why);
-  Check(cloud.CountFragments(eyeToClip, true, passed, why), "particles cannot be drawn: ", why);
-  Check(
-    cloud.Find(eyeToClip, ParticleCulling::Maxima, found, why), "particles cannot be drawn: ", why);
-  Check(cloud.Find(eyeToClip, ParticleCulling::MinimaFirst, early, why),
-    "particles cannot be drawn: ", why);
+  cloud.Build(window, ParticleCulling::Maxima);
+  cloud.Build(window, ParticleCulling::MinimaFirst);
+  const std::vector<unsigned int> fragments = cloud.CountFragments(eyeToClip, false);
+  const std::vector<unsigned int> passed = cloud.CountFragments(eyeToClip, true);
+  const std::vector<ParticleCloud::Finding> found = cloud.Find(eyeToClip, ParticleCulling::Maxima);
+  const std::vector<ParticleCloud::Finding> early =
+    cloud.Find(eyeToClip, ParticleCulling::MinimaFirst);
   int counts[5] = { 0, 0, 0, 0, 0 };
   int lookups[2] = { 0, 0 };
   for (std::size_t i = 0; i < found.size(); ++i)

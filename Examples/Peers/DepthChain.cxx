@@ -5,6 +5,7 @@
 #include "PeerChainFS.h"
 #include "PeerGroupCS.h"
 
+#include "PeerErrors.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferMath.h"
 #include "vtkNBufferResourceCallback.h"
@@ -103,7 +104,7 @@ unsigned int DepthChain::GetFramebuffer(int level, int layer) const
   return this->ChainTargets[static_cast<std::size_t>(level * this->Layers + layer)].GetName();
 }
 
-bool DepthChain::Allocate(std::string& why)
+void DepthChain::Allocate()
 {
   this->ChainTargets.clear();
   this->LevelTargets.clear();
@@ -144,12 +145,11 @@ bool DepthChain::Allocate(std::string& why)
     this->LevelTargets.push_back(MakeTarget(GL_COLOR_ATTACHMENT0, this->Level.GetName(), 0, layer));
   }
   complete = complete && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  why = complete ? "" : "the device cannot draw into the layers of an array of depth";
-  return complete;
+  ThrowUnless(complete, "the device cannot draw into the layers of an array of depth");
 }
 
-bool DepthChain::SetDepth(vtkOpenGLRenderWindow* window,
-  const std::vector<std::vector<float>>& layers, int width, int height, std::string& why)
+void DepthChain::SetDepth(vtkOpenGLRenderWindow* window,
+  const std::vector<std::vector<float>>& layers, int width, int height)
 {
   if (this->Window != window)
   {
@@ -163,30 +163,29 @@ bool DepthChain::SetDepth(vtkOpenGLRenderWindow* window,
   this->Width = width;
   this->Height = height;
   this->Layers = static_cast<int>(layers.size());
-  if (!this->Allocate(why))
-  {
-    return false;
-  }
+  this->Allocate();
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Chain.GetName());
   for (int layer = 0; layer < this->Layers; ++layer)
   {
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, width, height, 1, GL_DEPTH_COMPONENT,
       GL_FLOAT, layers[static_cast<std::size_t>(layer)].data());
   }
-  return vtkNBufferGL::CheckErrors("Uploading depth", why);
+  ThrowOnErrors("Uploading depth");
 }
 
-bool DepthChain::BuildChain(ChainEdges edges, int count, std::string& why)
+void DepthChain::BuildChain(ChainEdges edges, int count)
 {
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(this->Window);
   const ScopedDepthWrites writes;
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Chain.GetName());
   this->Timer.Start();
+  std::string why;
   vtkShaderProgram* program =
     this->Pass.Begin(this->Window, why, Define("PEER_FAT", edges == ChainEdges::Fat));
+  ThrowUnless(program, why);
   const int end = std::min(count + 1, this->GetNumberOfLevels());
-  for (int level = 1; program && level < end; ++level)
+  for (int level = 1; level < end; ++level)
   {
     ReadLevel(level - 1);
     const int size[2] = { GetLevelSize(this->Width, level - 1),
@@ -201,25 +200,19 @@ bool DepthChain::BuildChain(ChainEdges edges, int count, std::string& why)
     }
   }
   this->Timer.Stop();
-  return program && vtkNBufferGL::CheckErrors("Building a chain", why);
+  ThrowOnErrors("Building a chain");
 }
 
-bool DepthChain::BuildGroups(const GroupForm& form, std::string& why)
+void DepthChain::BuildGroups(const GroupForm& form)
 {
-  why = WhyNotGroups();
-  if (!why.empty())
-  {
-    return false;
-  }
+  std::string why = WhyNotGroups();
+  ThrowUnless(why.empty(), why);
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(this->Window);
   const unsigned int program = this->Groups.Use(why,
     Define("PEER_SIDE", form.Side) + Define("PEER_GATHER", form.Gather) +
       Define("PEER_ATOMICS", form.Atomics));
-  if (program == 0)
-  {
-    return false;
-  }
+  ThrowUnless(program != 0, why);
   glUniform1i(glGetUniformLocation(program, "depth"), 0);
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Chain.GetName());
   ReadLevel(0);
@@ -233,30 +226,32 @@ bool DepthChain::BuildGroups(const GroupForm& form, std::string& why)
     GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
   this->Timer.Stop();
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-  return vtkNBufferGL::CheckErrors("Reducing depth", why);
+  ThrowOnErrors("Reducing depth");
 }
 
-bool DepthChain::DownloadChain(int level, int layer, std::vector<float>& texels, std::string& why)
+std::vector<float> DepthChain::DownloadChain(int level, int layer)
 {
   vtkNBufferGL::ClearErrors();
   const int width = GetLevelSize(this->Width, level);
   const int height = GetLevelSize(this->Height, level);
-  texels.resize(static_cast<std::size_t>(width) * height);
+  std::vector<float> texels(static_cast<std::size_t>(width) * height);
   const vtkNBufferGL::ScopedReadback readback(this->GetFramebuffer(level, layer));
   glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, texels.data());
-  return vtkNBufferGL::CheckErrors("Reading a level back", why);
+  ThrowOnErrors("Reading a level back");
+  return texels;
 }
 
-bool DepthChain::DownloadGroups(int layer, std::vector<float>& texels, std::string& why)
+std::vector<float> DepthChain::DownloadGroups(int layer)
 {
   vtkNBufferGL::ClearErrors();
   const int width = vtkNBufferMath::GetBaseSize(this->Width, Cell);
   const int height = vtkNBufferMath::GetBaseSize(this->Height, Cell);
-  texels.resize(static_cast<std::size_t>(width) * height);
+  std::vector<float> texels(static_cast<std::size_t>(width) * height);
   const vtkNBufferGL::ScopedReadback readback(
     this->LevelTargets[static_cast<std::size_t>(layer)].GetName());
   glReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, texels.data());
-  return vtkNBufferGL::CheckErrors("Reading the level back", why);
+  ThrowOnErrors("Reading the level back");
+  return texels;
 }
 
 void DepthChain::ReleaseGraphicsResources(vtkWindow*)

@@ -63,16 +63,16 @@ public:
   static std::string WhyNotGroups() { return vtkNBufferGL::ComputePrograms::WhyNot(); }
 
   /// Uploads depth images of one size, row 0 at the bottom, values in [0, 1]. The context must be
-  /// current for this call and for those below. They return false, with the cause in `why`, on any
-  /// error of OpenGL.
-  bool SetDepth(vtkOpenGLRenderWindow* window, const std::vector<std::vector<float>>& layers,
-    int width, int height, std::string& why);
+  /// current for this call and for those below. They throw std::runtime_error on any error of
+  /// OpenGL.
+  void SetDepth(vtkOpenGLRenderWindow* window, const std::vector<std::vector<float>>& layers,
+    int width, int height);
 
   /// Starts to build the first `count` levels above level 0 of all layers, or all there are.
-  bool BuildChain(ChainEdges edges, int count, std::string& why);
+  void BuildChain(ChainEdges edges, int count);
 
   /// Starts to build the one level of all layers.
-  bool BuildGroups(const GroupForm& form, std::string& why);
+  void BuildGroups(const GroupForm& form);
 
   /// Waits for the last build, and returns the milliseconds that the device took for it by a timer
   /// query, or -1 where there are no timers.
@@ -85,14 +85,14 @@ public:
 
   ///@{
   /// Wait for a level of the chain, or for the one level, and read a layer of it.
-  bool DownloadChain(int level, int layer, std::vector<float>& texels, std::string& why);
-  bool DownloadGroups(int layer, std::vector<float>& texels, std::string& why);
+  std::vector<float> DownloadChain(int level, int layer);
+  std::vector<float> DownloadGroups(int layer);
   ///@}
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool Allocate(std::string& why);
+  void Allocate();
   unsigned int GetFramebuffer(int level, int layer) const;
 
   vtkOpenGLRenderWindow* Window = nullptr;

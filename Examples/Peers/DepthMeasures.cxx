@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace NBufferPeers
 {
@@ -15,14 +14,6 @@ constexpr int Side = 64;  ///< Of the image, in tiles.
 constexpr int Tiles = Side * Side;
 
 const double HalfAngle = std::tan(0.5 * 30.0 * std::acos(-1.0) / 180.0);
-
-void Check(bool done, const std::string& why)
-{
-  if (!done)
-  {
-    throw std::runtime_error(why);
-  }
-}
 
 double TakeMedian(std::vector<double>& values)
 {
@@ -86,15 +77,13 @@ void DepthMeasures::Upload(const std::vector<Triangle>& triangles)
       vertices.push_back({ corner, static_cast<float>(i + 1) });
     }
   }
-  std::string why;
-  Check(this->Painter.SetTriangles(vertices, why), why);
+  this->Painter.SetTriangles(vertices);
   this->Vertices = static_cast<int>(vertices.size());
 }
 
 void DepthMeasures::Draw()
 {
-  std::string why;
-  Check(this->Painter.Draw(0, this->Vertices, why), why);
+  this->Painter.Draw(0, this->Vertices);
 }
 
 DepthMeasures::Resolution DepthMeasures::MeasureResolution(double distance)
@@ -130,9 +119,7 @@ DepthMeasures::Resolution DepthMeasures::MeasureResolution(double distance)
     }
     this->Upload(triangles);
     this->Draw();
-    std::string why;
-    std::vector<double> depth;
-    Check(this->Painter.ReadDepth(depth, why), why);
+    const std::vector<double> depth = this->Painter.ReadDepth();
     // The nearest order of each tile and all beyond.
     std::vector<double> orders(Tiles);
     std::vector<double> nearest(Tiles);
@@ -172,9 +159,7 @@ DepthMeasures::Fight DepthMeasures::CountWrongPixels(double slope, double distan
   const Triangle far = this->MakeTriangle(0.0, slope, distance + gap);
   this->Upload({ near, far });
   this->Draw();
-  std::string why;
-  std::vector<float> numbers;
-  Check(this->Painter.ReadNumbers(numbers, why), why);
+  const std::vector<float> numbers = this->Painter.ReadNumbers();
   Fight fight;
   for (int y = 0; y < Size; ++y)
   {
@@ -199,14 +184,11 @@ DepthMeasures::Offset DepthMeasures::MeasureOffset(double slopeX, double slopeY,
 {
   const Triangle triangle = this->MakeTriangle(slopeX, slopeY, distance);
   this->Upload({ triangle });
-  std::string why;
   const auto draw = [&](float factor, float units)
   {
     this->Painter.SetOffset(factor, units);
     this->Draw();
-    std::vector<double> depth;
-    Check(this->Painter.ReadDepth(depth, why), why);
-    return depth;
+    return this->Painter.ReadDepth();
   };
   // Enough to be seen in any format, and so little that no depth reaches the end of its range.
   const double units = std::ldexp(1.0, this->Format.Bits > 0 ? this->Format.Bits - 10 : 12);

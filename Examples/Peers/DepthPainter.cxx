@@ -5,6 +5,7 @@
 #include "PeerDepthFS.h"
 #include "PeerDepthVS.h"
 
+#include "PeerErrors.h"
 #include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGL.h"
 
@@ -18,7 +19,7 @@ namespace NBufferPeers
 {
 using NBufferStudy::DepthEncoding;
 
-bool DepthPainter::SetTriangles(const std::vector<DepthVertex>& vertices, std::string& why)
+void DepthPainter::SetTriangles(const std::vector<DepthVertex>& vertices)
 {
   vtkNBufferGL::ClearErrors();
   const int bound = vtkNBufferGL::GetInteger(GL_ARRAY_BUFFER_BINDING);
@@ -26,7 +27,7 @@ bool DepthPainter::SetTriangles(const std::vector<DepthVertex>& vertices, std::s
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(DepthVertex)),
     vertices.data(), GL_STATIC_DRAW);
   glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bound));
-  return vtkNBufferGL::CheckErrors("Sending triangles to the device", why);
+  ThrowOnErrors("Sending triangles to the device");
 }
 
 bool DepthPainter::SetView(
@@ -91,10 +92,11 @@ bool DepthPainter::Allocate(std::string& why)
       (type == GL_FLOAT ? " of a float" : "");
     return false;
   }
-  return vtkNBufferGL::CheckErrors("Allocating a depth texture", why);
+  ThrowOnErrors("Allocating a depth texture");
+  return true;
 }
 
-vtkShaderProgram* DepthPainter::UseProgram(std::string& why)
+vtkShaderProgram* DepthPainter::UseProgram()
 {
   const bool isByShader = this->Format.Encoding == DepthEncoding::Linear ||
     this->Format.Encoding == DepthEncoding::Logarithmic;
@@ -102,12 +104,10 @@ vtkShaderProgram* DepthPainter::UseProgram(std::string& why)
   std::string text = PeerDepthFS;
   vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Dec",
     "#define NBUFFER_ENCODING " + std::to_string(static_cast<int>(key)) + "\n");
+  std::string why;
   vtkShaderProgram* program = vtkNBufferGL::UseProgram(this->Window, this->Programs[key],
     PeerDepthVS, text, "the shader of depths does not compile on this driver", why);
-  if (!program)
-  {
-    return nullptr;
-  }
+  ThrowUnless(program, why);
   const DepthView& view = this->View;
   const double near = view.Planes.Near;
   const double far = view.Planes.Far;
@@ -133,16 +133,12 @@ vtkShaderProgram* DepthPainter::UseProgram(std::string& why)
   return program;
 }
 
-bool DepthPainter::Draw(int first, int count, std::string& why)
+void DepthPainter::Draw(int first, int count)
 {
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(this->Window);
   const vtkNBufferGL::ScopedFramebuffers framebuffers;
-  vtkShaderProgram* program = this->UseProgram(why);
-  if (!program)
-  {
-    return false;
-  }
+  vtkShaderProgram* program = this->UseProgram();
   const int function = vtkNBufferGL::GetInteger(GL_DEPTH_FUNC);
   GLboolean mask = GL_TRUE;
   glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
@@ -185,30 +181,31 @@ bool DepthPainter::Draw(int first, int count, std::string& why)
   glDisable(GL_DEPTH_TEST);
   glDepthFunc(static_cast<GLenum>(function));
   glDepthMask(mask);
-  return vtkNBufferGL::CheckErrors("Drawing depths", why);
+  ThrowOnErrors("Drawing depths");
 }
 
-bool DepthPainter::ReadNumbers(std::vector<float>& numbers, std::string& why)
+std::vector<float> DepthPainter::ReadNumbers()
 {
   vtkNBufferGL::ClearErrors();
   const DepthView& view = this->View;
-  numbers.resize(static_cast<std::size_t>(view.Width) * view.Height);
+  std::vector<float> numbers(static_cast<std::size_t>(view.Width) * view.Height);
   const vtkNBufferGL::ScopedReadback readback(this->Target.GetName());
   glReadPixels(0, 0, view.Width, view.Height, GL_RED, GL_FLOAT, numbers.data());
-  return vtkNBufferGL::CheckErrors("Reading numbers back", why);
+  ThrowOnErrors("Reading numbers back");
+  return numbers;
 }
 
-bool DepthPainter::ReadDepth(std::vector<double>& depth, std::string& why)
+std::vector<double> DepthPainter::ReadDepth()
 {
   vtkNBufferGL::ClearErrors();
   const DepthView& view = this->View;
   const std::size_t count = static_cast<std::size_t>(view.Width) * view.Height;
+  std::vector<double> depth;
   const vtkNBufferGL::ScopedReadback readback(this->Target.GetName());
   const auto read = [&](auto& values, GLenum type, double scale)
   {
     values.resize(count);
     glReadPixels(0, 0, view.Width, view.Height, GL_DEPTH_COMPONENT, type, values.data());
-    depth.clear();
     for (const auto value : values)
     {
       depth.push_back(static_cast<double>(value) * scale);
@@ -225,7 +222,8 @@ bool DepthPainter::ReadDepth(std::vector<double>& depth, std::string& why)
     std::vector<unsigned int> values;
     read(values, GL_UNSIGNED_INT, 1.0 / 4294967295.0);
   }
-  return vtkNBufferGL::CheckErrors("Reading depth back", why);
+  ThrowOnErrors("Reading depth back");
+  return depth;
 }
 
 } // namespace NBufferPeers

@@ -55,30 +55,30 @@ public:
   }
 
   /// Copies triangles to the device, three vertices each. The context must be current for this and
-  /// for all other calls, and when the object is destroyed. They return false, with the cause in
-  /// `why`, on any error of OpenGL.
-  bool SetTriangles(const std::vector<DepthVertex>& vertices, std::string& why);
+  /// for all other calls, and when the object is destroyed. They throw std::runtime_error on any
+  /// error of OpenGL.
+  void SetTriangles(const std::vector<DepthVertex>& vertices);
 
-  /// Sets what is drawn into. Also returns false if the device has no depth buffer of exactly this
-  /// format, or cannot draw this encoding.
+  /// Sets what is drawn into. Returns false, with the cause in `why`, if the device has no depth
+  /// buffer of exactly this format, or cannot draw this encoding.
   bool SetView(const NBufferStudy::DepthFormat& format, const DepthView& view, std::string& why);
 
   /// Sets glPolygonOffset(); 0 and 0 by default.
   void SetOffset(float factor, float units);
 
   /// Clears the image and draws `count` vertices from `first` on.
-  bool Draw(int first, int count, std::string& why);
+  void Draw(int first, int count);
 
   ///@{
   /// Read the image row by row, the lowest first: the number that each pixel shows, or 0, and its
   /// stored depth.
-  bool ReadNumbers(std::vector<float>& numbers, std::string& why);
-  bool ReadDepth(std::vector<double>& depth, std::string& why);
+  std::vector<float> ReadNumbers();
+  std::vector<double> ReadDepth();
   ///@}
 
 private:
   bool Allocate(std::string& why);
-  vtkShaderProgram* UseProgram(std::string& why);
+  vtkShaderProgram* UseProgram();
 
   vtkOpenGLRenderWindow* Window;
   NBufferStudy::DepthFormat Format{};

@@ -5,6 +5,7 @@
 #include "PeerPackedLevelFS.h"
 #include "PeerPackedQueryFS.h"
 
+#include "PeerErrors.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferMath.h"
 #include "vtkNBufferQuery.h"
@@ -47,7 +48,7 @@ std::string PackedLevels::WhyNot(int width, int height)
     : "";
 }
 
-bool PackedLevels::Build(vtkOpenGLRenderWindow* window, vtkNBufferTexture* base, std::string& why)
+void PackedLevels::Build(vtkOpenGLRenderWindow* window, vtkNBufferTexture* base)
 {
   this->Width = base->GetWidth();
   this->Height = base->GetHeight();
@@ -55,11 +56,10 @@ bool PackedLevels::Build(vtkOpenGLRenderWindow* window, vtkNBufferTexture* base,
   this->Columns = CountColumns(this->Width, levels);
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
-  if (!this->Packed.ReserveTarget(GL_R32F, this->Columns * this->Width,
-        (levels + this->Columns - 1) / this->Columns * this->Height, why))
-  {
-    return false;
-  }
+  std::string why;
+  ThrowUnless(this->Packed.ReserveTarget(GL_R32F, this->Columns * this->Width,
+                (levels + this->Columns - 1) / this->Columns * this->Height, why),
+    why);
   glCopyImageSubData(base->GetHandle(0), GL_TEXTURE_2D_ARRAY, 0, 0, 0, base->GetLayer(0),
     this->Packed.GetName(), GL_TEXTURE_2D, 0, 0, 0, 0, this->Width, this->Height, 1);
   glBindTexture(GL_TEXTURE_2D, this->Packed.GetName());
@@ -67,10 +67,7 @@ bool PackedLevels::Build(vtkOpenGLRenderWindow* window, vtkNBufferTexture* base,
   for (int level = 1; level < levels; ++level)
   {
     vtkShaderProgram* program = this->LevelPass.Begin(window, why);
-    if (!program)
-    {
-      return false;
-    }
+    ThrowUnless(program, why);
     const auto corner = [this](int i, int axis)
     { return axis == 0 ? i % this->Columns * this->Width : i / this->Columns * this->Height; };
     const int from[2] = { corner(level - 1, 0), corner(level - 1, 1) };
@@ -84,23 +81,18 @@ bool PackedLevels::Build(vtkOpenGLRenderWindow* window, vtkNBufferTexture* base,
     this->LevelPass.Draw(this->Packed.GetFramebuffer(), to[0], to[1], this->Width, this->Height);
   }
   glTextureBarrier();
-  return vtkNBufferGL::CheckErrors("Building packed levels", why);
+  ThrowOnErrors("Building packed levels");
 }
 
-bool PackedLevels::Query(vtkOpenGLRenderWindow* window, vtkNBufferTexture* levels, std::string& why)
+void PackedLevels::Query(vtkOpenGLRenderWindow* window, vtkNBufferTexture* levels)
 {
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
-  if (!this->Answers.ReserveTarget(GL_R32F, this->Width, this->Height, why))
-  {
-    return false;
-  }
+  std::string why;
+  ThrowUnless(this->Answers.ReserveTarget(GL_R32F, this->Width, this->Height, why), why);
   vtkShaderProgram* program = this->QueryPass.Begin(window, why,
     std::string("#define NBUFFER_PACKED ") + (levels ? "0\n" : "1\n") + vtkNBufferQuery);
-  if (!program)
-  {
-    return false;
-  }
+  ThrowUnless(program, why);
   const int size[2] = { this->Width, this->Height };
   program->SetUniform2i("shape.size", size);
   program->SetUniformi("shape.factor", 1);
@@ -128,7 +120,7 @@ bool PackedLevels::Query(vtkOpenGLRenderWindow* window, vtkNBufferTexture* level
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     glActiveTexture(GL_TEXTURE0);
   }
-  return vtkNBufferGL::CheckErrors("Querying levels", why);
+  ThrowOnErrors("Querying levels");
 }
 
 std::vector<float> PackedLevels::ReadDepths()

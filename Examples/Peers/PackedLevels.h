@@ -38,13 +38,13 @@ public:
   /// Returns why the current context cannot have levels of this size, or an empty text if it can.
   static std::string WhyNot(int width, int height);
 
-  /// Copies level 0 of `base`, of factor 1, and builds all levels above it. Like the functions
-  /// below it does not wait for the device, and returns false with the cause in `why` on an error.
-  bool Build(vtkOpenGLRenderWindow* window, vtkNBufferTexture* base, std::string& why);
+  /// Copies level 0 of `base`, of factor 1, and builds all levels above it. This function and the
+  /// next one do not wait for the device, and throw std::runtime_error on an error of OpenGL.
+  void Build(vtkOpenGLRenderWindow* window, vtkNBufferTexture* base);
 
   /// Queries a rectangle for each pixel: of these levels, or of `levels`, which has all levels of
   /// an image of the same size and of factor 1.
-  bool Query(vtkOpenGLRenderWindow* window, vtkNBufferTexture* levels, std::string& why);
+  void Query(vtkOpenGLRenderWindow* window, vtkNBufferTexture* levels);
 
   /// Waits for the last Query(), and reads the depths that it found.
   std::vector<float> ReadDepths();

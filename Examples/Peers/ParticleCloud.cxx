@@ -5,6 +5,7 @@
 #include "PeerParticleFS.h"
 #include "PeerParticleVS.h"
 
+#include "PeerErrors.h"
 #include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferQuery.h"
@@ -43,18 +44,16 @@ void ParticleCloud::Set(const std::vector<glm::vec3>& centers, float boxSide)
   this->VertexArray.Delete();
 }
 
-bool ParticleCloud::Build(vtkOpenGLRenderWindow* window, ParticleCulling culling, std::string& why)
+void ParticleCloud::Build(vtkOpenGLRenderWindow* window, ParticleCulling culling)
 {
   this->Window = window;
   // The paper needs the first few levels for sprites only. Boxes may have any size.
   const int levels = this->IsOfBoxes() ? 99 : SpriteLevel + 1;
   vtkNBufferTexture* texture = this->GetTexture(culling);
   texture->SetBothExtrema(culling == ParticleCulling::MinimaFirst);
-  const bool built = texture->Build(window, 1, levels, vtkNBufferExtremum::Maximum);
-  why = texture->GetError();
+  ThrowUnless(texture->Build(window, 1, levels, vtkNBufferExtremum::Maximum), texture->GetError());
   this->Size[0] = texture->GetWidth();
   this->Size[1] = texture->GetHeight();
-  return built;
 }
 
 void ParticleCloud::Upload()
@@ -81,19 +80,17 @@ void ParticleCloud::Upload()
 }
 
 template <typename Function>
-bool ParticleCloud::WithProgram(const glm::dmat4& eyeToClip, ParticleCulling culling, int report,
-  Function&& function, std::string& why)
+void ParticleCloud::WithProgram(
+  const glm::dmat4& eyeToClip, ParticleCulling culling, int report, Function&& function)
 {
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(this->Window);
   std::string text = PeerParticleVS;
   vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Query", vtkNBufferQuery);
+  std::string why;
   vtkShaderProgram* program = vtkNBufferGL::UseProgram(this->Window, this->Program, text.c_str(),
     PeerParticleFS, "the shader of particles does not compile on this driver", why);
-  if (!program)
-  {
-    return false;
-  }
+  ThrowUnless(program, why);
   const int side = static_cast<int>(std::ceil(std::sqrt(this->Centers.size())));
   vtkNBufferGL::SetMatrix(program, "eyeToClip", eyeToClip);
   program->SetUniform2i("shape.size", this->Size);
@@ -145,7 +142,7 @@ bool ParticleCloud::WithProgram(const glm::dmat4& eyeToClip, ParticleCulling cul
   glDepthMask(depthMask);
   bind(false);
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  return vtkNBufferGL::CheckErrors("Drawing particles", why);
+  ThrowOnErrors("Drawing particles");
 }
 
 void ParticleCloud::DrawRange(int first, int count)
@@ -159,19 +156,17 @@ void ParticleCloud::DrawRange(int first, int count)
   glDrawArrays(GL_POINTS, first, count);
 }
 
-bool ParticleCloud::Draw(const glm::dmat4& eyeToClip, ParticleCulling culling, std::string& why)
+void ParticleCloud::Draw(const glm::dmat4& eyeToClip, ParticleCulling culling)
 {
-  return this->WithProgram(
-    eyeToClip, culling, 0, [this](int) { this->DrawRange(0, this->GetCount()); }, why);
+  this->WithProgram(eyeToClip, culling, 0, [this](int) { this->DrawRange(0, this->GetCount()); });
 }
 
-bool ParticleCloud::CountFragments(const glm::dmat4& eyeToClip, bool testsDepth,
-  std::vector<unsigned int>& fragments, std::string& why)
+std::vector<unsigned int> ParticleCloud::CountFragments(
+  const glm::dmat4& eyeToClip, bool testsDepth)
 {
-  fragments.assign(this->Centers.size(), 0);
+  std::vector<unsigned int> fragments(this->Centers.size(), 0);
   std::vector<vtkNBufferGL::Query> queries(this->Centers.size());
-  return this->WithProgram(
-    eyeToClip, ParticleCulling::None, 0,
+  this->WithProgram(eyeToClip, ParticleCulling::None, 0,
     [&](int)
     {
       glDepthFunc(testsDepth ? GL_LEQUAL : GL_ALWAYS);
@@ -185,19 +180,17 @@ bool ParticleCloud::CountFragments(const glm::dmat4& eyeToClip, bool testsDepth,
       {
         glGetQueryObjectuiv(queries[i].GetName(), GL_QUERY_RESULT, &fragments[i]);
       }
-    },
-    why);
+    });
+  return fragments;
 }
 
-bool ParticleCloud::Find(const glm::dmat4& eyeToClip, ParticleCulling culling,
-  std::vector<Finding>& findings, std::string& why)
+std::vector<ParticleCloud::Finding> ParticleCloud::Find(
+  const glm::dmat4& eyeToClip, ParticleCulling culling)
 {
-  findings.assign(this->Centers.size(), {});
-  bool done = true;
-  for (int report = 1; done && report <= 2; ++report)
+  std::vector<Finding> findings(this->Centers.size());
+  for (int report = 1; report <= 2; ++report)
   {
-    done = this->WithProgram(
-      eyeToClip, culling, report,
+    this->WithProgram(eyeToClip, culling, report,
       [&](int side)
       {
         vtkNBufferGL::Texture texture;
@@ -230,10 +223,9 @@ bool ParticleCloud::Find(const glm::dmat4& eyeToClip, ParticleCulling culling,
           findings[i].IsAccepted = texel.y > 0.0f;
           findings[i].IsTested = texel.z > 0.0f;
         }
-      },
-      why);
+      });
   }
-  return done;
+  return findings;
 }
 
 void ParticleCloud::Release()

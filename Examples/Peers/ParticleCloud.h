@@ -57,21 +57,19 @@ public:
   void Set(const std::vector<glm::vec3>& centers, float boxSide);
 
   /// Builds the levels that this kind of culling needs, of the framebuffer that is bound, which all
-  /// functions below draw into. They return false, with the cause in `why`, on an error of OpenGL,
-  /// and restore its state.
-  bool Build(vtkOpenGLRenderWindow* window, ParticleCulling culling, std::string& why);
+  /// functions below draw into. They restore the state of OpenGL, and throw std::runtime_error on
+  /// an error.
+  void Build(vtkOpenGLRenderWindow* window, ParticleCulling culling);
 
   /// Draws all particles. Does not wait for the device.
-  bool Draw(const glm::dmat4& eyeToClip, ParticleCulling culling, std::string& why);
+  void Draw(const glm::dmat4& eyeToClip, ParticleCulling culling);
 
   /// Counts the fragments of each particle, drawn without culling, by one hardware occlusion query
   /// for each: those that pass the depth test or, if `testsDepth` is false, all of them.
-  bool CountFragments(const glm::dmat4& eyeToClip, bool testsDepth,
-    std::vector<unsigned int>& fragments, std::string& why);
+  std::vector<unsigned int> CountFragments(const glm::dmat4& eyeToClip, bool testsDepth);
 
   /// Reads what the vertex stage finds of each particle.
-  bool Find(const glm::dmat4& eyeToClip, ParticleCulling culling, std::vector<Finding>& findings,
-    std::string& why);
+  std::vector<Finding> Find(const glm::dmat4& eyeToClip, ParticleCulling culling);
 
   /// Deletes the objects of OpenGL; the context must be current.
   void Release();
@@ -84,8 +82,8 @@ private:
     return culling == ParticleCulling::MinimaFirst ? this->Extrema : this->Maxima;
   }
   template <typename Function>
-  bool WithProgram(const glm::dmat4& eyeToClip, ParticleCulling culling, int report,
-    Function&& function, std::string& why);
+  void WithProgram(
+    const glm::dmat4& eyeToClip, ParticleCulling culling, int report, Function&& function);
   void Upload();
   void DrawRange(int first, int count);
 

@@ -5,6 +5,7 @@
 #include "PeerBaseFS.h"
 #include "PeerReduceCS.h"
 
+#include "PeerErrors.h"
 #include "Shaders/vtkNBufferShared.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferMath.h"
@@ -39,8 +40,8 @@ std::string SingleLevel::WhyNot(ReduceMethod method)
   return method == ReduceMethod::Compute ? vtkNBufferGL::ComputePrograms::WhyNot() : "";
 }
 
-bool SingleLevel::SetDepth(vtkOpenGLRenderWindow* window, const std::vector<float>& depth,
-  int width, int height, std::string& why)
+void SingleLevel::SetDepth(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& depth, int width, int height)
 {
   if (this->Window != window)
   {
@@ -53,38 +54,31 @@ bool SingleLevel::SetDepth(vtkOpenGLRenderWindow* window, const std::vector<floa
   const vtkNBufferGL::ScopedUpload upload(0);
   this->PixelWidth = width;
   this->PixelHeight = height;
-  if (!this->Depth.Reserve(GL_DEPTH_COMPONENT32F, width, height, why))
-  {
-    return false;
-  }
+  std::string why;
+  ThrowUnless(this->Depth.Reserve(GL_DEPTH_COMPONENT32F, width, height, why), why);
   glBindTexture(GL_TEXTURE_2D, this->Depth.GetName());
   glTexSubImage2D(
     GL_TEXTURE_2D, 0, 0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
   // There is room for the largest level that passes of 2 x 2 leave on their way.
   for (vtkNBufferGL::GrowingTexture& target : this->Targets)
   {
-    if (!target.ReserveTarget(GL_R32F, vtkNBufferMath::GetBaseSize(width, 2),
-          vtkNBufferMath::GetBaseSize(height, 2), why))
-    {
-      return false;
-    }
+    ThrowUnless(target.ReserveTarget(GL_R32F, vtkNBufferMath::GetBaseSize(width, 2),
+                  vtkNBufferMath::GetBaseSize(height, 2), why),
+      why);
   }
-  return vtkNBufferGL::CheckErrors("Uploading depth", why);
+  ThrowOnErrors("Uploading depth");
 }
 
-bool SingleLevel::DrawPass(
-  unsigned int source, int width, int height, int factor, int target, std::string& why)
+void SingleLevel::DrawPass(unsigned int source, int width, int height, int factor, int target)
 {
+  std::string why;
   const auto define = [](const char* name, int value)
   { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
   vtkShaderProgram* program = this->Pass.Begin(this->Window, why,
     define("NBUFFER_MAXIMUM", 1) + define("NBUFFER_BOTH", 0) +
       define("NBUFFER_SOURCE", NBUFFER_SOURCE_DEPTH) + define("NBUFFER_FACTOR", factor) +
       define("NBUFFER_SAMPLES", 1) + define("NBUFFER_INEXACT", 0));
-  if (!program)
-  {
-    return false;
-  }
+  ThrowUnless(program, why);
   const int origin[2] = { 0, 0 };
   const int last[2] = { width - 1, height - 1 };
   program->SetUniformi("depth", 0);
@@ -93,10 +87,9 @@ bool SingleLevel::DrawPass(
   glBindTexture(GL_TEXTURE_2D, source);
   this->Pass.Draw(this->Targets[target].GetFramebuffer(), 0, 0,
     vtkNBufferMath::GetBaseSize(width, factor), vtkNBufferMath::GetBaseSize(height, factor));
-  return true;
 }
 
-bool SingleLevel::ReduceByPasses(int factor, std::string& why)
+void SingleLevel::ReduceByPasses(int factor)
 {
   unsigned int source = this->Depth.GetName();
   int width = this->PixelWidth;
@@ -105,24 +98,18 @@ bool SingleLevel::ReduceByPasses(int factor, std::string& why)
   {
     // The last pass draws into the first target.
     const int target = side == 2 || side == 8 ? 0 : 1;
-    if (!this->DrawPass(source, width, height, 2, target, why))
-    {
-      return false;
-    }
+    this->DrawPass(source, width, height, 2, target);
     source = this->Targets[target].GetName();
     width = vtkNBufferMath::GetBaseSize(width, 2);
     height = vtkNBufferMath::GetBaseSize(height, 2);
   }
-  return true;
 }
 
-bool SingleLevel::Dispatch(int factor, std::string& why)
+void SingleLevel::Dispatch(int factor)
 {
+  std::string why;
   const unsigned int program = this->Compute.Use(why);
-  if (program == 0)
-  {
-    return false;
-  }
+  ThrowUnless(program != 0, why);
   glUniform1i(glGetUniformLocation(program, "depth"), 0);
   glUniform2i(glGetUniformLocation(program, "size"), this->PixelWidth, this->PixelHeight);
   glUniform1i(glGetUniformLocation(program, "factor"), factor);
@@ -134,42 +121,42 @@ bool SingleLevel::Dispatch(int factor, std::string& why)
   glMemoryBarrier(
     GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-  return true;
 }
 
-bool SingleLevel::Reduce(ReduceMethod method, int factor, std::string& why)
+void SingleLevel::Reduce(ReduceMethod method, int factor)
 {
-  why = WhyNot(method);
-  if (!why.empty())
-  {
-    return false;
-  }
-  if (this->PixelWidth == 0 || (factor != 4 && factor != 8 && factor != 16))
-  {
-    why = this->PixelWidth == 0 ? "there is no depth; call SetDepth first"
-                                : "the factor must be 4, 8 or 16";
-    return false;
-  }
+  const std::string why = WhyNot(method);
+  ThrowUnless(why.empty(), why);
+  ThrowUnless(this->PixelWidth > 0, "there is no depth; call SetDepth first");
+  ThrowUnless(factor == 4 || factor == 8 || factor == 16, "the factor must be 4, 8 or 16");
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(this->Window);
   this->Width = vtkNBufferMath::GetBaseSize(this->PixelWidth, factor);
   this->Height = vtkNBufferMath::GetBaseSize(this->PixelHeight, factor);
   this->Timer.Start();
-  const bool done = method == ReduceMethod::Compute ? this->Dispatch(factor, why)
-    : method == ReduceMethod::Passes
-    ? this->ReduceByPasses(factor, why)
-    : this->DrawPass(this->Depth.GetName(), this->PixelWidth, this->PixelHeight, factor, 0, why);
+  if (method == ReduceMethod::Compute)
+  {
+    this->Dispatch(factor);
+  }
+  else if (method == ReduceMethod::Passes)
+  {
+    this->ReduceByPasses(factor);
+  }
+  else
+  {
+    this->DrawPass(this->Depth.GetName(), this->PixelWidth, this->PixelHeight, factor, 0);
+  }
   this->Timer.Stop();
-  return done && vtkNBufferGL::CheckErrors("Reducing depth", why);
+  ThrowOnErrors("Reducing depth");
 }
 
-bool SingleLevel::Download(std::vector<float>& level, std::string& why)
+void SingleLevel::Download(std::vector<float>& level)
 {
   vtkNBufferGL::ClearErrors();
   level.resize(static_cast<std::size_t>(this->Width) * this->Height);
   const vtkNBufferGL::ScopedReadback readback(this->Targets[0].GetFramebuffer());
   glReadPixels(0, 0, this->Width, this->Height, GL_RED, GL_FLOAT, level.data());
-  return vtkNBufferGL::CheckErrors("Reading the level back", why);
+  ThrowOnErrors("Reading the level back");
 }
 
 void SingleLevel::ReleaseGraphicsResources(vtkWindow*)

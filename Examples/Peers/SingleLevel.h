@@ -55,20 +55,19 @@ public:
   static std::string WhyNot(ReduceMethod method);
 
   /// Uploads a depth image, row 0 at the bottom, values in [0, 1]. The context must be current for
-  /// this call and for those below. They return false, with the cause in `why`, on any error of
-  /// OpenGL.
-  bool SetDepth(vtkOpenGLRenderWindow* window, const std::vector<float>& depth, int width,
-    int height, std::string& why);
+  /// this call and for those below. They throw std::runtime_error on any error of OpenGL.
+  void SetDepth(
+    vtkOpenGLRenderWindow* window, const std::vector<float>& depth, int width, int height);
 
   /// Starts to reduce the depth image; `factor` is 4, 8 or 16. Does not wait for the device.
-  bool Reduce(ReduceMethod method, int factor, std::string& why);
+  void Reduce(ReduceMethod method, int factor);
 
   /// Waits for the last Reduce(), and returns the milliseconds that the device took for it by a
   /// timer query, or -1 where there are no timers.
   double GetDeviceTime() { return this->Timer.GetMilliseconds(); }
 
   /// Waits for the level, and reads its GetWidth() x GetHeight() texels.
-  bool Download(std::vector<float>& level, std::string& why);
+  void Download(std::vector<float>& level);
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
@@ -76,10 +75,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool DrawPass(
-    unsigned int source, int width, int height, int factor, int target, std::string& why);
-  bool ReduceByPasses(int factor, std::string& why);
-  bool Dispatch(int factor, std::string& why);
+  void DrawPass(unsigned int source, int width, int height, int factor, int target);
+  void ReduceByPasses(int factor);
+  void Dispatch(int factor);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   int PixelWidth = 0;

@@ -78,13 +78,11 @@ TEST_P(StudyDepth, NoSurfaceIsFartherThanItsDepthSays)
   const int function = vtkNBufferGL::GetInteger(GL_DEPTH_FUNC);
   DepthPainter painter(this->Window);
   std::string why;
-  ASSERT_TRUE(painter.SetTriangles(vertices, why)) << why;
+  painter.SetTriangles(vertices);
   ASSERT_TRUE(painter.SetView(GetParam(), view, why)) << why;
-  ASSERT_TRUE(painter.Draw(0, static_cast<int>(vertices.size()), why)) << why;
-  std::vector<float> numbers;
-  std::vector<double> depth;
-  ASSERT_TRUE(painter.ReadNumbers(numbers, why)) << why;
-  ASSERT_TRUE(painter.ReadDepth(depth, why)) << why;
+  painter.Draw(0, static_cast<int>(vertices.size()));
+  const std::vector<float> numbers = painter.ReadNumbers();
+  const std::vector<double> depth = painter.ReadDepth();
   EXPECT_EQ(vtkNBufferGL::GetInteger(GL_DEPTH_FUNC), function);
   for (int i = 0; i < Size * Size; ++i)
   {

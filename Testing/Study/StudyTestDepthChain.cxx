@@ -62,10 +62,7 @@ protected:
     {
       layers.push_back(image.Depth);
     }
-    std::string why;
-    ASSERT_TRUE(
-      this->Chain.SetDepth(this->Window, layers, images.front().Width, images.front().Height, why))
-      << why;
+    this->Chain.SetDepth(this->Window, layers, images.front().Width, images.front().Height);
   }
 
   /// Compares a level with the farthest depths of the pixels that its texels cover.
@@ -88,15 +85,13 @@ protected:
 
   void CompareChain(ChainEdges edges, const std::vector<Image>& images, int count)
   {
-    std::string why;
-    ASSERT_TRUE(this->Chain.BuildChain(edges, count, why)) << why;
+    this->Chain.BuildChain(edges, count);
     const int levels = std::min(count + 1, this->Chain.GetNumberOfLevels());
     for (int level = 0; level < levels; ++level)
     {
       for (std::size_t layer = 0; layer < images.size(); ++layer)
       {
-        std::vector<float> texels;
-        ASSERT_TRUE(this->Chain.DownloadChain(level, static_cast<int>(layer), texels, why)) << why;
+        const std::vector<float> texels = this->Chain.DownloadChain(level, static_cast<int>(layer));
         const Image& image = images[layer];
         Compare(image, texels, DepthChain::GetLevelSize(image.Width, level),
           DepthChain::GetLevelSize(image.Height, level), "level " + std::to_string(level),
@@ -107,12 +102,10 @@ protected:
 
   void CompareGroups(const GroupForm& form, const std::vector<Image>& images)
   {
-    std::string why;
-    ASSERT_TRUE(this->Chain.BuildGroups(form, why)) << why;
+    this->Chain.BuildGroups(form);
     for (std::size_t layer = 0; layer < images.size(); ++layer)
     {
-      std::vector<float> texels;
-      ASSERT_TRUE(this->Chain.DownloadGroups(static_cast<int>(layer), texels, why)) << why;
+      const std::vector<float> texels = this->Chain.DownloadGroups(static_cast<int>(layer));
       const Image& image = images[layer];
       Compare(image, texels, (image.Width + 15) / 16, (image.Height + 15) / 16,
         "side " + std::to_string(form.Side) + (form.Gather ? ", gather" : "") +
@@ -169,9 +162,7 @@ TEST_F(StudyDepthChain, FewerLevelsCanBeBuilt)
   this->CompareChain(ChainEdges::Exact, images, AllLevels);
   this->CompareChain(ChainEdges::Fat, images, 1);
   // What is above has not been built again.
-  std::vector<float> above;
-  std::string why;
-  ASSERT_TRUE(this->Chain.DownloadChain(2, 1, above, why)) << why;
+  const std::vector<float> above = this->Chain.DownloadChain(2, 1);
   Compare(images[1], above, 15, 11, "level 2",
     [](int size, int texel) { return GetCovered(ChainEdges::Exact, size, 2, texel); });
 }
