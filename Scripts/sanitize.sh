@@ -55,7 +55,7 @@ run_valgrind() {
   nbuffer_install_packages requirements-debian-valgrind.txt
   # Random searches repeat the same code for minutes.
   valgrind_run nbuffer-unit-tests \
-    'NBufferMath*:*Once.*:*LevelsSmall*:NBufferTieOrder*:NBufferBackOff*:NBufferStatistics*'
+    'NBufferMath*:*Once.*:NBufferLevels.EveryRectangleOfSmallImages:NBufferTieOrder*:NBufferBackOff*:NBufferStatistics*'
   valgrind_run nbuffer-gpu-tests 'GpuTestNBufferTexture.*'
   valgrind_run nbuffer-image-tests 'CullerBasics.NoPropsAndOneProp:CullerChangesOnce.EverythingMoves'
   valgrind_run nbuffer-leak-tests '-LeaksOverManyFrames.*'

@@ -6,11 +6,13 @@
  * arrays.
  *
  *     +---------+---------+---------+
- *     | level 3 | level 4 | level 5 |     The paper (section 4.1) packs the levels horizontally,
- * and
- *     +---------+---------+---------+     could not for widths above 256, because the device had a
- *     | level 0 | level 1 | level 2 |     limit. Here a row ends at the limit.
+ *     | level 3 | level 4 | level 5 |
  *     +---------+---------+---------+
+ *     | level 0 | level 1 | level 2 |
+ *     +---------+---------+---------+
+ *
+ * The paper (section 4.1) packs the levels horizontally, and could not for widths above 256,
+ * because the device had a limit. Here a row ends at the limit.
  *
  * A pass reads and writes different texels of the same texture, which OpenGL 4.5 allows with
  * glTextureBarrier() before the pass.

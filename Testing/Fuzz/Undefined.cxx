@@ -190,6 +190,8 @@ void RemoveUndefined(Scenario& scene)
   }
   if (HasAmbientOcclusion(scene))
   {
+    // Ambient occlusion does not clear its framebuffer if the renderer does not erase. Before VTK
+    // 9.7 it shows undrawn parts of it in a renderer that fills a part of a window.
     for (Renderer& renderer : scene.Renderers)
     {
       renderer.Erase = true;
@@ -197,7 +199,8 @@ void RemoveUndefined(Scenario& scene)
       renderer.Viewport = { 0.0, 0.0, 1.0, 1.0 };
 #endif
     }
-    // The normals of flat triangles may be NaN, also in front of them (docs/limits.md).
+    // It blends normals, and those of flat triangles may be NaN, also in front of them
+    // (docs/limits.md).
     for (Prop& prop : scene.Props)
     {
       prop.Flat = false;
@@ -206,6 +209,8 @@ void RemoveUndefined(Scenario& scene)
     RemoveChanges(scene, ChangeKind::Viewport);
 #endif
   }
+  // Split stereo scales the whole window, with what earlier frames left outside of the viewports.
+  // Windows that have drawn different numbers of frames differ, as they do with shadows.
   if (HasPass(scene, HasShadowVolumes) &&
     scene.Window.Stereo == VTK_STEREO_SPLITVIEWPORT_HORIZONTAL)
   {
@@ -225,10 +230,12 @@ void RemoveUndefined(Scenario& scene)
       }
     }
   }
+  // With a render pass, a selector draws props before it has set their numbers.
   if (HasPass(scene, [](PassKind pass) { return pass != PassKind::None; }))
   {
     RemoveChanges(scene, ChangeKind::Select);
   }
+  // An overlay inside of an SSAO pass writes to only one of three attachments.
   if (HasPass(scene, IsSSAO))
   {
     for (Prop& prop : scene.Props)

@@ -12,20 +12,18 @@
 namespace TestScene
 {
 /**
- * Removes what VTK does not draw the same twice, or what makes it crash:
+ * Removes what VTK does not draw the same twice, or what makes it crash. Undefined.cxx says at each
+ * rule what VTK does there; docs/limits.md has those that concern applications, too. They are about
  *
- *  - With a render pass, a selector draws props before it has set their numbers.
- *  - An overlay inside of an SSAO pass writes to only one of three attachments.
- *  - Ambient occlusion does not clear its framebuffer if the renderer does not erase. Before
- *    VTK 9.7 it shows undrawn parts of it in a renderer that fills a part of a window. It blends
- *    normals, so that the NaN normal of a flat triangle without area spoils what is before it.
- *  - Split stereo scales the whole window, with what earlier frames left outside of the viewports.
- *    Windows that have drawn different numbers of frames differ, as they do with shadows.
- *  - A billboard in several renderers is drawn where it was in another one.
- *  - The shaders of splats keep the global polygon offset of the time when they were made. With
- *    splats and a new context VTK crashes.
- *  - Whether the scalars behind a filter are translucent is determined before the filter has run.
- *  - VTK 9.1 crashes with clipped glyphs that get edges.
+ *  - render passes: selections, overlays inside of an SSAO pass, and shadow maps with unlit props;
+ *  - ambient occlusion: renderers that do not erase or fill a part of a window, and flat triangles;
+ *  - windows: split stereo with shadow volumes, and billboards that several renderers share;
+ *  - splats: the global polygon offset, new contexts, and edges;
+ *  - glyphs: changes of opacity, wireframes, and edges with clipping planes;
+ *  - composite data: too many mappers for the texture units, and blocks that move;
+ *  - selections of a mapper: edges, other actors of the mapper, and new contexts;
+ *  - mappers that actors share with followers, back faces or props of other renderers;
+ *  - filters whose scalars may be translucent before they have run.
  */
 void RemoveUndefined(Scenario& scene);
 }

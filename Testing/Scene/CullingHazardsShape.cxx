@@ -189,9 +189,8 @@ NamedScenario LinesSeenEndOn()
   return scene.Finish();
 }
 
-/// With the near plane at a millimetre and the far plane at 10,000 km, almost all depths are close
-/// to
-/// 1. From some distance on they cannot be distinguished, and verdicts would be random.
+/// With the near plane at a millimetre and the far plane at 10,000 km, almost all depths are
+/// close to 1. From some distance on they cannot be distinguished, and verdicts would be random.
 NamedScenario NearOfAMillimetreAndFarOfTenThousandKilometres(bool parallel)
 {
   constexpr int columns = 9;
