@@ -7,7 +7,6 @@
     report.py walk out/walk.json --chart out/frame-times.svg
     report.py shadow out/shadow.json --chart out/shadow-times.svg
     report.py ranks out/ranks-*.json --chart out/ranks.png
-    report.py first out/first-*.json
 
 `study` replaces the tables in the documents. A table stands between two comments,
 
@@ -328,12 +327,6 @@ def run_study(options):
         write_csv(report, options.csv)
 
 
-def run_first(options):
-    runs = pd.DataFrame([json.loads(pathlib.Path(file).read_text()) for file in options.files])
-    for mode, median in runs.groupby("mode", sort=False)["first_image_ms"].median().items():
-        print(f"{mode}: first image {number(median)} ms")
-
-
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -353,9 +346,6 @@ def main():
     ranks.add_argument("files", nargs="+")
     ranks.add_argument("--chart", required=True, help="file of the chart (.png or .svg)")
     ranks.set_defaults(run=lambda options: ranks_chart(options.files, options.chart))
-    first = commands.add_parser("first", help="medians of first images")
-    first.add_argument("files", nargs="+")
-    first.set_defaults(run=run_first)
     options = parser.parse_args()
     options.run(options)
 

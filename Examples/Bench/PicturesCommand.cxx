@@ -94,10 +94,6 @@ int RunPictures(const ViewOptions& view, const std::string& folder)
   const bool same = NBufferExamples::CountDifferingBytes(without.Pixels, with.Pixels) == 0;
   WritePNG(without.Picture, folder + "/frame-stock.png");
   WritePNG(with.Picture, folder + "/frame-nbuffer.png");
-  WritePNG(ComposePanels({ { without.Picture, Describe(without, "VTK's default culler") },
-                           { with.Picture, Describe(with, "vtkNBufferCuller") } },
-             0.6),
-    folder + "/frames.png");
   std::cout << Describe(without, "stock") << ", " << Describe(with, "nbuffer")
             << ", the images are " << (same ? "the same" : "NOT THE SAME") << "\n";
   const vtkNBufferStatistics statistics = nbuffer.GetNBufferCuller()->GetStatistics();

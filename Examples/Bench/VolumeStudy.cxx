@@ -30,7 +30,6 @@ namespace NBufferBench
 
 VolumeStudy::VolumeStudy(Session& session, vtkInformation* casterKeys)
   : Where(session)
-  , Keys(casterKeys)
 {
   for (vtkProp* prop : session.GetProps())
   {
@@ -218,7 +217,6 @@ VolumeStudy::Result VolumeStudy::Draw(
   }
   this->Draws.clear();
   this->Store.BeginFrame();
-  const bool isOfAll = !way.Only && !way.Excluded && !isCounted;
   const auto add = [&](const std::vector<int>& casters, const vtkShadowLitmap* litmap)
   {
     vtkShadowPlan plan(this->Light, view, way.Mode,
@@ -236,10 +234,6 @@ VolumeStudy::Result VolumeStudy::Draw(
       result.Drawn += plan.GetDraws().size() > before;
     }
     this->Draws.insert(this->Draws.end(), plan.GetDraws().begin(), plan.GetDraws().end());
-    if (isOfAll)
-    {
-      this->AllAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
-    }
   };
 
   const CasterPixels* special = way.Only ? way.Only : way.Excluded;

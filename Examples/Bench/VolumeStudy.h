@@ -112,7 +112,6 @@ private:
   std::vector<float> GetDepthFor(const VolumeWay& way, int caster) const;
 
   Session& Where;
-  vtkSmartPointer<vtkInformation> Keys;
   vtkShadowCasterList Casters;
   std::map<vtkProp*, int> Places; ///< Of the props that cast.
   double LightingMargin = 0.0;
@@ -126,9 +125,6 @@ private:
   vtkShadowVolumeStore Store;
   vtkShadowVolumeBuffer Buffer;
   std::vector<vtkShadowDraw> Draws; ///< Of the last Draw().
-  /// Whether the stencil can count all casters at once, by the last Draw() of all casters with all
-  /// receivers. What is drawn of fewer of them has no higher counts.
-  bool AllAtOnce = false;
   std::vector<float> Depth;
   std::string Error;
 };

@@ -146,7 +146,6 @@ void RerenderedLitmap::DrawExtremes(int which, float* pixels, int resolution)
     GL_TRIANGLES, static_cast<GLsizei>(this->Indices.size()), GL_UNSIGNED_INT, nullptr);
   const vtkNBufferGL::ScopedReadback readback(this->Device.Framebuffer.GetName());
   glReadPixels(0, 0, resolution, resolution, GL_RGBA, GL_FLOAT, pixels);
-  ++this->Draws;
 }
 
 bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame,

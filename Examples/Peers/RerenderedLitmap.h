@@ -84,9 +84,6 @@ public:
   bool Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame,
     const vtkShadowBlock& range, int resolution, vtkShadowLitmap& litmap, std::string& why);
 
-  /// Returns the number of draws, each with a read-back, so far.
-  int GetNumberOfDraws() const { return this->Draws; }
-
   void Release() override { this->Device = DeviceObjects(); }
 
 private:
@@ -113,7 +110,6 @@ private:
   glm::dvec3 Eye = { 0.0, 0.0, 0.0 };
   glm::dmat4 EyeToClip = glm::dmat4(1.0);
   DeviceObjects Device;
-  int Draws = 0;
 };
 }
 #endif

@@ -68,7 +68,6 @@ void Ranks::Pass(int rank)
         [](float a, float b) { return std::min(a, b); });
     }
     std::replace(this->States.begin(), this->States.end(), State::Waiting, State::Ready);
-    ++this->Reductions;
     next = find();
   }
   this->Turn = next;

@@ -36,9 +36,6 @@ public:
   /// Does what vtkNBufferDepthExchange::ReduceToMinimum() does, for one rank.
   bool Reduce(int rank, const float* values, float* minima, int count);
 
-  /// Returns the number of reductions so far.
-  int GetReductions() const { return this->Reductions; }
-
 private:
   enum class State
   {
@@ -56,7 +53,6 @@ private:
   std::vector<std::vector<float>> Values;
   std::vector<float> Minima;
   int Turn = 0;
-  int Reductions = 0;
   bool IsBroken = false;
 };
 

@@ -304,7 +304,7 @@ class Commands(unittest.TestCase):
             for line in ("own depth, kd", "depth of all, random", "own a pixel"):
                 self.assertIn(f"<!-- {line} -->", chart)
 
-    def test_walk_and_first(self):
+    def test_walk(self):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             study = json.loads(STUDY.read_text())
@@ -312,11 +312,6 @@ class Commands(unittest.TestCase):
             (folder / "walk.json").write_text(json.dumps(walk))
             self.run_report("walk", folder / "walk.json", "--chart", folder / "times.svg")
             self.assertIn("<svg", (folder / "times.svg").read_text())
-            for i, time in enumerate((3, 100, 5)):
-                (folder / f"{i}.json").write_text(
-                    json.dumps({"mode": "nbuffer", "first_image_ms": time}))
-            done = self.run_report("first", *sorted(folder.glob("?.json")))
-            self.assertEqual(done.stdout, "nbuffer: first image 5 ms\n")
 
 
 if __name__ == "__main__":
