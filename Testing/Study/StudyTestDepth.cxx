@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depths of other formats and encodings, as they are drawn.
 #include "DepthMeasures.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 
 #include "vtkNBufferGL.h"
 
@@ -23,17 +23,18 @@ using NBufferPeers::DepthView;
 constexpr DepthPlanes Planes = { 0.5, 20000.0 };
 constexpr int Size = 64;
 
-class StudyDepth : public OffscreenFixtureWithParam<DepthFormat>
+class StudyDepth
+  : public WindowFixture
+  , public testing::WithParamInterface<DepthFormat>
 {
 protected:
   void SetUp() override
   {
-    OffscreenFixture::SetUp();
+    WindowFixture::SetUp();
     if (this->IsSkipped())
     {
       return;
     }
-    this->Window = NewWindow(32, 32);
     const std::string why = DepthMeasures(this->Window, GetParam(), Planes).WhyNot();
     if (!why.empty())
     {
@@ -48,8 +49,6 @@ protected:
     return GetParam().Encoding == DepthEncoding::Linear ||
       GetParam().Encoding == DepthEncoding::Logarithmic;
   }
-
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
 };
 
 TEST_P(StudyDepth, NoSurfaceIsFartherThanItsDepthSays)

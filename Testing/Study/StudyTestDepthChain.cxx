@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mip chains and one level of several images on the device equal the double loop, bit for bit.
 #include "DepthChain.h"
-#include "OffscreenFixture.h"
 #include "StudyImage.h"
+#include "WindowFixture.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -43,18 +43,9 @@ Interval GetCovered(ChainEdges edges, int size, int level, int texel)
     GetCovered(edges, size, level - 1, last).End };
 }
 
-class StudyDepthChain : public OffscreenFixture
+class StudyDepthChain : public WindowFixture
 {
 protected:
-  void SetUp() override
-  {
-    OffscreenFixture::SetUp();
-    if (!this->IsSkipped())
-    {
-      this->Window = NewWindow(32, 32);
-    }
-  }
-
   void SetDepth(const std::vector<Image>& images)
   {
     std::vector<std::vector<float>> layers;
@@ -121,7 +112,6 @@ protected:
     return { Image(width, height, 7), Image(width, height, 8) };
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   DepthChain Chain;
 };
 

@@ -3,9 +3,9 @@
 // Occlusion queries of the hardware: the image of VTK without any culler, byte for byte, and what
 // is hidden is not drawn.
 #include "Judge.h"
-#include "OffscreenFixture.h"
 #include "QueryCuller.h"
 #include "Shapes.h"
+#include "WindowFixture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -39,18 +39,22 @@ void PrintTo(const Kind& kind, std::ostream* os)
 }
 
 class StudyPeers
-  : public OffscreenFixture
+  : public WindowFixture
   , public testing::WithParamInterface<Kind>
 {
 protected:
+  StudyPeers()
+    : WindowFixture(301, 173)
+  {
+  }
+
   void SetUp() override
   {
-    OffscreenFixture::SetUp();
+    WindowFixture::SetUp();
     if (this->IsSkipped())
     {
       return;
     }
-    this->Window = NewWindow(301, 173);
     const std::string why = BoxQueries::WhyNot(GetParam().Target);
     if (!why.empty())
     {
@@ -128,7 +132,6 @@ protected:
     return statistics;
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<QueryCuller> Culler;
   int Props = 0;

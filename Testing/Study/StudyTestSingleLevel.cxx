@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One level by the device equals the double loop, bit for bit.
-#include "OffscreenFixture.h"
 #include "SingleLevel.h"
 #include "StudyImage.h"
+#include "WindowFixture.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <utility>
 
 namespace
@@ -20,15 +21,16 @@ using StudyTest::Image;
 constexpr std::pair<int, int> LevelSizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 16, 16 },
   { 17, 33 }, { 61, 45 }, { 64, 64 }, { 301, 173 }, { 511, 129 } };
 
-class StudySingleLevel : public OffscreenFixtureWithParam<ReduceMethod>
+class StudySingleLevel
+  : public WindowFixture
+  , public testing::WithParamInterface<ReduceMethod>
 {
 protected:
   void SetUp() override
   {
-    OffscreenFixture::SetUp();
+    WindowFixture::SetUp();
     if (!this->IsSkipped())
     {
-      this->Window = NewWindow(32, 32);
       const std::string why = SingleLevel::WhyNot(GetParam());
       if (!why.empty())
       {
@@ -62,7 +64,6 @@ protected:
     }
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   SingleLevel Level;
 };
 
