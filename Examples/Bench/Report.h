@@ -9,6 +9,7 @@
 
 #include "vtk_jsoncpp.h"
 
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -25,6 +26,28 @@ Json::Value Round(double value);
 
 /// Returns the members `median`, `p10` and `p90`.
 Json::Value Summarize(const std::vector<double>& values);
+
+/// Milliseconds by their names in the report.
+using NamedTimes = std::map<std::string, std::vector<double>>;
+
+/// Calls measure(times) once for nothing and then `repetitions` times; returns what it measured.
+template <typename Measure>
+Json::Value Repeat(int repetitions, Measure&& measure)
+{
+  NamedTimes times;
+  measure(times);
+  times.clear();
+  for (int i = 0; i < repetitions; ++i)
+  {
+    measure(times);
+  }
+  Json::Value row;
+  for (const auto& [name, milliseconds] : times)
+  {
+    row[name] = Summarize(milliseconds);
+  }
+  return row;
+}
 
 /// Returns the first twenty places, each as a list of its numbers. A place is a list of ints, such
 /// as frame, x and y.

@@ -15,7 +15,6 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <functional>
-#include <map>
 
 namespace NBufferBench
 {
@@ -29,28 +28,6 @@ using NBufferPeers::SingleLevel;
 
 constexpr int AllLevels = 64;
 constexpr int LevelFactors[] = { 4, 8, 16 };
-
-/// Milliseconds by their names in the report.
-using Times = std::map<std::string, std::vector<double>>;
-
-/// Calls measure(times) once for nothing and then `repetitions` times; returns what it measured.
-template <typename Measure>
-Json::Value Repeat(int repetitions, Measure&& measure)
-{
-  Times times;
-  measure(times);
-  times.clear();
-  for (int i = 0; i < repetitions; ++i)
-  {
-    measure(times);
-  }
-  Json::Value row;
-  for (const auto& [name, milliseconds] : times)
-  {
-    row[name] = Summarize(milliseconds);
-  }
-  return row;
-}
 
 /// A window whose frame has been drawn, while its framebuffer is bound.
 struct Drawn
@@ -82,7 +59,7 @@ Json::Value RepeatOnDevice(const Drawn& drawn, Build&& build, GetDeviceTime&& ge
   const std::function<void()>& read = {})
 {
   return Repeat(drawn.Repetitions,
-    [&](Times& times)
+    [&](NamedTimes& times)
     {
       drawn.Window->WaitForCompletion();
       vtkNBufferClock clock;
@@ -134,7 +111,7 @@ Json::Value MeasureHost(
 {
   vtkNBufferLevels host;
   const Json::Value times = Repeat(drawn.Repetitions,
-    [&](Times& result)
+    [&](NamedTimes& result)
     {
       const vtkNBufferClock clock;
       host.BuildBase(
@@ -294,7 +271,7 @@ Json::Value MeasureBuilds(const Drawn& drawn)
 {
   std::vector<float> depth;
   Json::Value result = Repeat(drawn.Repetitions,
-    [&](Times& times)
+    [&](NamedTimes& times)
     {
       drawn.Window->WaitForCompletion();
       const vtkNBufferClock clock;

@@ -11,8 +11,6 @@
 
 #include "vtkOpenGLRenderWindow.h"
 
-#include <map>
-
 namespace NBufferBench
 {
 namespace
@@ -22,8 +20,6 @@ using NBufferPeers::PackedLevels;
 Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int repetitions)
 {
   Json::Value entry;
-  entry["width"] = width;
-  entry["height"] = height;
   const std::string obstacle = PackedLevels::WhyNot(width, height);
   if (!obstacle.empty())
   {
@@ -36,44 +32,37 @@ Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int re
   vtkNew<vtkNBufferTexture> extrema;
   vtkNew<vtkNBufferTexture> base;
   extrema->BothExtremaOn();
-  std::map<std::string, std::vector<double>> times;
-  const auto time = [&](const char* name, int repetition, auto&& function)
+  const auto time = [window](std::vector<double>& milliseconds, auto&& function)
   {
     window->WaitForCompletion();
     const vtkNBufferClock clock;
     function();
     window->WaitForCompletion();
-    if (repetition > 0) // The first time does not count.
-    {
-      times[name].push_back(clock.GetMilliseconds());
-    }
+    milliseconds.push_back(clock.GetMilliseconds());
   };
   const auto build = [&](vtkNBufferTexture* texture, int levels)
   {
     Check(texture->Build(window, 1, levels, vtkNBufferExtremum::Maximum),
       "packed levels: ", texture->GetError());
   };
-  for (int i = 0; i <= repetitions; ++i)
-  {
-    time("base", i, [&]() { build(base, 1); });
-    time("arrays", i, [&]() { build(arrays, all); });
-    time("both_extrema", i, [&]() { build(extrema, all); });
-    time("packed", i,
-      [&]()
-      {
-        build(base, 1);
-        packed.Build(window, base);
-      });
-    time("query_arrays", i, [&]() { packed.Query(window, arrays); });
-    const std::vector<float> expected = packed.ReadDepths();
-    time("query_packed", i, [&]() { packed.Query(window, nullptr); });
-    Check(packed.ReadDepths() == expected,
-      "packed levels: ", "a query has another answer than that of the arrays");
-  }
-  for (const auto& [name, values] : times)
-  {
-    entry[name + "_ms"] = Summarize(values);
-  }
+  entry = Repeat(repetitions,
+    [&](NamedTimes& times)
+    {
+      time(times["base_ms"], [&]() { build(base, 1); });
+      time(times["arrays_ms"], [&]() { build(arrays, all); });
+      time(times["both_extrema_ms"], [&]() { build(extrema, all); });
+      time(times["packed_ms"],
+        [&]()
+        {
+          build(base, 1);
+          packed.Build(window, base);
+        });
+      time(times["query_arrays_ms"], [&]() { packed.Query(window, arrays); });
+      const std::vector<float> expected = packed.ReadDepths();
+      time(times["query_packed_ms"], [&]() { packed.Query(window, nullptr); });
+      Check(packed.ReadDepths() == expected,
+        "packed levels: ", "a query has another answer than that of the arrays");
+    });
   packed.Release();
   for (vtkNBufferTexture* texture : { arrays.Get(), extrema.Get(), base.Get() })
   {
@@ -98,7 +87,12 @@ Json::Value MeasurePacked(
     session.GetWindow()->SetSize(size[0], size[1]);
     RenderAndInspect(session, pose,
       [&](vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource&)
-      { result.append(Measure(window, size[0], size[1], repetitions)); });
+      {
+        Json::Value entry = Measure(window, size[0], size[1], repetitions);
+        entry["width"] = size[0];
+        entry["height"] = size[1];
+        result.append(entry);
+      });
   }
   return result;
 }
