@@ -10,13 +10,12 @@
  *  - blends in the opaque stage. Actors and texts do if the application forces them to be opaque,
  *    and opaque actors with translucent back faces, selected cells, textures or scalars that VTK
  *    takes for opaque (vtkNBufferScalars::AreFaint()), or with shader code that sets the opacity of
- *    fragments. So do splats of
- *    vtkPointGaussianMapper that are emissive, less opaque at their borders, or have an array of
- *    opacities. VTK draws there slices of images, whatever their opacity
- *    (vtkImageSlice::HasTranslucentPolygonalGeometry()), the floor of a vtkSkybox, which fades out
- *    towards the horizon, surfaces of vtkOpenGLSurfaceProbeVolumeMapper, which may have the alpha
- *    of a volume, graphs, and the labels of vtkLabeledContourMapper, vtkFastLabeledDataMapper and
- *    vtkBatchedLabeledDataMapper;
+ *    fragments. So do splats of vtkPointGaussianMapper that are emissive, less opaque at their
+ *    borders, or have an array of opacities. VTK draws there slices of images, whatever their
+ *    opacity (vtkImageSlice::HasTranslucentPolygonalGeometry()), the floor of a vtkSkybox, which
+ *    fades out towards the horizon, surfaces of vtkOpenGLSurfaceProbeVolumeMapper, which may have
+ *    the alpha of a volume, graphs, and the labels of vtkLabeledContourMapper,
+ *    vtkFastLabeledDataMapper and vtkBatchedLabeledDataMapper;
  *  - reads the depth there. vtkLabeledDataMapper updates its pipeline while it is drawn, and
  *    vtkSelectVisiblePoints in that pipeline compares points with what the window has drawn so far.
  */

@@ -10,6 +10,7 @@
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkScalarsToColors.h"
 
