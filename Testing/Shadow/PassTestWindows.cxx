@@ -357,17 +357,17 @@ TEST_F(PassWindows, SelectionsFindWhatTheyFindWithoutIt)
   const auto count = [&]()
   {
     const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-    EXPECT_EQ(picker->Pick(100.0, 75.0, 0.0, renderer), 1);
-    EXPECT_EQ(picker->GetActor(), GetActors(renderer)[1]);
     EXPECT_EQ(picksFloor->Pick(100.0, 75.0, 0.0, renderer), 1);
     EXPECT_EQ(picksFloor->GetActor(), GetActors(renderer)[0]) << "the sphere is not in the list";
+    // Without a list it comes last: a renderer keeps the list of the last picker.
+    EXPECT_EQ(picker->Pick(100.0, 75.0, 0.0, renderer), 1);
+    EXPECT_EQ(picker->GetActor(), GetActors(renderer)[1]);
     return selection->GetNumberOfNodes();
   };
   EXPECT_EQ(count(), 2u);
-  const unsigned int again = count(); // VTK's own may differ, after pickers, in windows of EGL.
-  EXPECT_GT(again, 0u);
   const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  EXPECT_EQ(count(), again);
+  stage.Window->Render();
+  EXPECT_EQ(count(), 2u);
   stage.Window->Render();
   EXPECT_GT(CountShadowed(GetMask(stage, pass)), 50);
 }

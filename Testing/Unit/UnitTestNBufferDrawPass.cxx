@@ -69,6 +69,23 @@ TEST(NBufferDrawPass, StaysAttachedWhereTheMapperIsKeptWhole)
   EXPECT_TRUE(pass->IsAttachedTo(mapper));
 }
 
+// Hazard: the application replaces the property keys of a divided actor, which is drawn whole from
+// then on, once for each of its lists.
+TEST(NBufferDrawPass, IsAttachedAgainToNewKeys)
+{
+  vtkNew<vtkRenderWindow> window;
+  const auto pass = vtkNBufferDrawPass::Get(window);
+  vtkNew<vtkActor> actor;
+  pass->Attach(actor);
+  EXPECT_FALSE(pass->AttachAgain(actor));
+  actor->SetPropertyKeys(nullptr);
+  EXPECT_TRUE(pass->AttachAgain(actor));
+  EXPECT_FALSE(pass->AttachAgain(actor));
+  EXPECT_EQ(CountPasses(actor), 1);
+  pass->Detach(actor);
+  EXPECT_EQ(CountPasses(actor), 0);
+}
+
 // Hazard: an actor begins to share a mapper in a frame in which nothing looks for large props.
 TEST(NBufferDrawPass, FollowsTheMapper)
 {

@@ -25,6 +25,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRegularPolygonSource.h"
 #include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
@@ -235,6 +236,20 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
   this->Mapper->Update();
   kept = {};
   EXPECT_FALSE(meshes.FindSmall(this->Actor, kept)) << "too many triangles";
+
+  // A mapper goes on with its triangles of larger polygons when their points move.
+  vtkNew<vtkRegularPolygonSource> polygon;
+  polygon->SetNumberOfSides(5);
+  polygon->Update();
+  vtkNew<vtkPolyData> data;
+  data->ShallowCopy(polygon->GetOutput());
+  this->Mapper->SetInputData(data);
+  data->GetPolys()->Modified();
+  kept = {};
+  EXPECT_TRUE(meshes.FindSmall(this->Actor, kept));
+  data->GetPoints()->Modified();
+  kept = {};
+  EXPECT_FALSE(meshes.FindSmall(this->Actor, kept)) << "triangles of the former points";
 
   std::vector<vtkSmartPointer<vtkActor>> actors;
   std::vector<vtkNBufferMeshes::OfProp> keptOfActors(150);
