@@ -12,6 +12,7 @@
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkScalarBarActor.h"
@@ -20,6 +21,7 @@
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 
+#include <algorithm>
 #include <functional>
 
 #if __has_include("vtkCaptionActor2D.h")
