@@ -569,19 +569,21 @@ TEST(ShadowPlan, PositionalVolumesOfParallelCamerasAreFinite)
   }
 }
 
-// Only caps that are in lit surfaces are drawn with an offset: those of open meshes, if the piece
-// has such a cap.
-TEST(ShadowPlan, OffsetsAreForCapsInLitSurfaces)
+// Near caps that lie in the caster's own surface are drawn with an offset; of open meshes the sides
+// as well.
+TEST(ShadowPlan, OffsetsAreForCapsInTheirOwnSurface)
 {
   Situation closed(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } });
   closed.Decide(vtkShadowMode::Scissored);
-  EXPECT_FALSE(closed.Draws.at(0).Offset);
+  EXPECT_EQ(closed.Draws.at(0).NumberOfOffsetIndices, 3 * 2) << "the bottom";
   EXPECT_EQ(closed.Draws.at(0).MaximumCount, 1);
+  closed.Decide(vtkShadowMode::Clamped);
+  EXPECT_EQ(closed.Draws.at(0).NumberOfOffsetIndices, 0) << "begins below the caster";
   Situation open(MakeLightAbove(), MakeOpenCube(), { { 0.0, 0.0, -3.0 } });
   open.Decide(vtkShadowMode::Scissored);
-  EXPECT_TRUE(open.Draws.at(0).Offset);
+  EXPECT_EQ(open.Draws.at(0).NumberOfOffsetIndices, open.Draws.at(0).NumberOfIndices);
   open.Decide(vtkShadowMode::Clamped);
-  EXPECT_FALSE(open.Draws.at(0).Offset) << "begins below the caster";
+  EXPECT_EQ(open.Draws.at(0).NumberOfOffsetIndices, 0) << "begins below the caster";
   open.Decide(vtkShadowMode::Unclamped);
-  EXPECT_TRUE(open.Draws.at(0).Offset);
+  EXPECT_EQ(open.Draws.at(0).NumberOfOffsetIndices, open.Draws.at(0).NumberOfIndices);
 }

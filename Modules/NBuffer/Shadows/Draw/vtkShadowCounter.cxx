@@ -41,9 +41,24 @@ constexpr GLenum CounterCapabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_CO
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
 
-const void* GetPlace(const vtkShadowDraw& draw)
+/// A range of indices.
+struct Range
 {
-  return reinterpret_cast<const void*>(draw.FirstIndex * sizeof(unsigned int));
+  const void* GetPlace() const
+  {
+    return reinterpret_cast<const void*>(this->First * sizeof(unsigned int));
+  }
+
+  int First;
+  int Count;
+};
+
+/// The triangles of a draw that are offset, or the others.
+Range GetRange(const vtkShadowDraw& draw, bool offset)
+{
+  const int first = draw.NumberOfOffsetIndices;
+  return offset ? Range{ draw.FirstIndex, first }
+                : Range{ draw.FirstIndex + first, draw.NumberOfIndices - first };
 }
 
 void SetBox(const vtkNBufferRectangle& box, const int viewport[4])
@@ -51,10 +66,9 @@ void SetBox(const vtkNBufferRectangle& box, const int viewport[4])
   glScissor(viewport[0] + box.X0, viewport[1] + box.Y0, box.GetWidth(), box.GetHeight());
 }
 
-void DrawVolume(const vtkShadowDraw& draw, const int viewport[4])
+void DrawRange(const Range& range)
 {
-  SetBox(draw.Box, viewport);
-  glDrawElements(GL_TRIANGLES, draw.NumberOfIndices, GL_UNSIGNED_INT, GetPlace(draw));
+  glDrawElements(GL_TRIANGLES, range.Count, GL_UNSIGNED_INT, range.GetPlace());
 }
 
 /// Draws into the same box with the same OpenGL state, which one call draws. Counts in the stencil
@@ -62,24 +76,26 @@ void DrawVolume(const vtkShadowDraw& draw, const int viewport[4])
 class Batch
 {
 public:
-  void Add(const vtkShadowDraw& draw)
+  void Add(const Range& range)
   {
-    if (draw.FirstIndex == this->End)
+    if (range.First == this->End)
     {
-      this->Counts.back() += draw.NumberOfIndices;
+      this->Counts.back() += range.Count;
     }
     else
     {
-      this->Counts.push_back(draw.NumberOfIndices);
-      this->Places.push_back(GetPlace(draw));
+      this->Counts.push_back(range.Count);
+      this->Places.push_back(range.GetPlace());
     }
-    this->End = draw.FirstIndex + draw.NumberOfIndices;
+    this->End = range.First + range.Count;
   }
-
-  bool IsEmpty() const { return this->Counts.empty(); }
 
   void Draw() const
   {
+    if (this->Counts.empty())
+    {
+      return;
+    }
     glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Places.data(),
       static_cast<GLsizei>(this->Counts.size()));
   }
@@ -207,14 +223,6 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(vtkNBufferDepthConvention::PassIfNearer);
   const vtkNBufferRectangle everywhere = { 0, 0, view.Viewport[2], view.Viewport[3] };
-  Batch batches[2][2]; // The draws into the whole viewport, by ZPass and Offset.
-  for (const vtkShadowDraw* draw = first; draw != last; ++draw)
-  {
-    if (draw->Box == everywhere)
-    {
-      batches[draw->ZPass][draw->Offset].Add(*draw);
-    }
-  }
   const auto setState = [&](bool counting, bool zPass, bool offset)
   {
     this->SetDirection(zPass);
@@ -234,24 +242,31 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   };
   const auto drawAll = [&](bool counting)
   {
-    for (const vtkShadowDraw* draw = first; draw != last; ++draw)
-    {
-      if (!(draw->Box == everywhere))
-      {
-        setState(counting, draw->ZPass, draw->Offset);
-        DrawVolume(*draw, view.Viewport);
-      }
-    }
-    SetBox(everywhere, view.Viewport);
     for (const bool zPass : { false, true })
     {
       for (const bool offset : { false, true })
       {
-        if (!batches[zPass][offset].IsEmpty())
+        setState(counting, zPass, offset);
+        Batch batch; // what is drawn into the whole viewport
+        for (const vtkShadowDraw* draw = first; draw != last; ++draw)
         {
-          setState(counting, zPass, offset);
-          batches[zPass][offset].Draw();
+          const Range range = GetRange(*draw, offset);
+          if (draw->ZPass != zPass || range.Count == 0)
+          {
+            continue;
+          }
+          if (draw->Box == everywhere)
+          {
+            batch.Add(range);
+          }
+          else
+          {
+            SetBox(draw->Box, view.Viewport);
+            DrawRange(range);
+          }
         }
+        SetBox(everywhere, view.Viewport);
+        batch.Draw();
       }
     }
   };
@@ -293,7 +308,8 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const vtkShadowVolume
   {
     this->TintProgram->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
     (draw.ZPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
-    DrawVolume(draw, view.Viewport);
+    SetBox(draw.Box, view.Viewport);
+    DrawRange({ draw.FirstIndex, draw.NumberOfIndices });
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_CLAMP);

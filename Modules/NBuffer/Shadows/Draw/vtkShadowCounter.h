@@ -16,15 +16,23 @@
  * what lies before the near plane, which z-fail never counts. Counts wrap modulo 256, so the order
  * of the faces does not matter; the caller ensures that no receiver is in 256 volumes at once.
  *
- * If all triangles count (vtkShadowCounting::All), the near cap may lie in a lit surface. The cap
- * then has the depth of the surface, and a fragment of equal depth fails the depth test, so that
- * the surface stays lit. But the shader program of the volumes may compute a depth that is two
- * units off (a unit is a step of 24-bit depth), and its vertices may be rounded to the next step of
- * the subpixel grid (1/256 of a pixel). A polygon offset pushes such volumes away from the eye by
- * two units and by the change of their depth over 1/128 of a pixel. Where the device offsets
- * corners instead of fragments, which bends triangles (vtkNBufferGL::OffsetsBeyondFarPlane), the
- * fragment shader offsets the volumes. It adds four units, because its sum and the conversion of
- * the depth that it writes are rounded by at most one unit each.
+ * A near cap that is the caster's own triangles lies in the surface that is drawn. Where the
+ * surface is seen, it has to be on one side of the cap, and not sometimes on this and sometimes on
+ * that side by rounding: the shader program of the volumes may compute a depth that is two units
+ * off (a unit is a step of 24-bit depth), and its vertices may be rounded to the next step of the
+ * subpixel grid (1/256 of a pixel). A polygon offset therefore pushes such caps away from the eye
+ * by two units and by the change of their depth over 1/128 of a pixel:
+ *
+ *     All   the cap may be in a lit surface, which is then before the volume and stays lit. Near
+ *           the outline the sides are as near to this surface; they are pushed, too.
+ *     Away  the cap is in the unlit side. Where this is seen, the cap is pushed into the caster, so
+ *           that the unlit side is in the volume. This matters where it is lit all the same, by
+ *           normals that are interpolated across the edges of a coarse mesh.
+ *
+ * Where the device offsets corners instead of fragments, which bends triangles
+ * (vtkNBufferGL::OffsetsBeyondFarPlane), the fragment shader offsets the triangles. It adds four
+ * units, because its sum and the conversion of the depth that it writes are rounded by at most one
+ * unit each.
  *
  * In a multisampled target, each sample has its own depth and count.
  */

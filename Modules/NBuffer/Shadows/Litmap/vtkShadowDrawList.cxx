@@ -87,7 +87,12 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
   }
   this->Triangles += draw.NumberOfIndices / 3;
   draw.MaximumCount = caster.Silhouette.GetMaximumCount();
-  draw.Offset = isNearCapItsOwn && caster.Silhouette.GetCounting() == vtkShadowCounting::All;
+  if (isNearCapItsOwn)
+  {
+    draw.NumberOfOffsetIndices = caster.Silhouette.GetCounting() == vtkShadowCounting::All
+      ? draw.NumberOfIndices
+      : static_cast<int>(caster.Silhouette.GetTriangles().size());
+  }
   draw.ZPass = this->IsBeyondNearPlane(piece);
   draw.Box = { 0, 0, this->Camera.Viewport[2], this->Camera.Viewport[3] };
   if (boxes.empty() || !this->Camera.Boxes)

@@ -63,9 +63,9 @@ struct vtkShadowDraw
   bool ZPass = false;      ///< True for z-pass, false for z-fail.
   vtkNBufferRectangle Box; ///< The pixels of the viewport to draw into.
   int MaximumCount = 0;    ///< The largest stencil count that a receiver can get from it.
-  /// True if the near cap lies in a surface that may be lit. A polygon offset then pushes the
-  /// triangles away from the eye (vtkShadowCounter.h).
-  bool Offset = false;
+  /// How many of its indices, the first ones, are of triangles that a polygon offset pushes away
+  /// from the eye, because the near cap lies in the caster's own surface (vtkShadowCounter.h).
+  int NumberOfOffsetIndices = 0;
   /// True if it draws the triangles of the draw before it in another box. Both count as one draw.
   bool Again = false;
 };
