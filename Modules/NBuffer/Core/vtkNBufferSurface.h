@@ -26,7 +26,6 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -102,21 +101,6 @@ public:
    */
   static bool HasOffset(vtkActor* actor);
   static bool HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints);
-
-  /**
-   * The coordinates in the vertex buffers of a plain mapper. VTK may shift and scale vertices
-   * before it rounds them to floats, so the rounding error depends on how far they are from
-   * `Origin`. No vertex is farther from it than `HalfRange`. Both are in model coordinates.
-   */
-  struct BufferCoordinates
-  {
-    glm::dvec3 Origin;
-    glm::dvec3 HalfRange;
-  };
-
-  /// Those of a mapper, or nullopt if the camera changes them. `all` may have all of its points.
-  static std::optional<BufferCoordinates> GetBufferCoordinates(
-    vtkMapper* mapper, const vtkBoundingBox* all = nullptr);
 
   /// A clipping plane a x + b y + c z + d >= 0 in world coordinates: it keeps the side to which its
   /// normal (a, b, c) points.

@@ -7,6 +7,7 @@
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferScalars.h"
 #include "vtkNBufferSurface.h"
+#include "vtkNBufferVertexCoordinates.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -183,8 +184,8 @@ vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
     this->Blocks.reset();
   }
   this->Box.Margin = vtkNBufferSurface::GetMargin(actor);
-  const auto buffer = vtkNBufferSurface::GetBufferCoordinates(
-    mapper, this->Blocks ? &this->Blocks->GetAll() : nullptr);
+  const auto buffer =
+    vtkNBufferVertexCoordinates::Get(mapper, this->Blocks ? &this->Blocks->GetAll() : nullptr);
   if (!buffer)
   {
     return vtkNBufferVerdict::NotAPlainMapper;

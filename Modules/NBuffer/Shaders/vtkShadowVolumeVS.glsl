@@ -10,12 +10,14 @@ in vec3 low;
 uniform vec3 eyeHigh;
 uniform vec3 eyeLow;
 uniform mat4 eyeToClip;
+uniform float push; // of the points' depth, times w (vtkShadowCounter.h)
 
 void main()
 {
   // The differences come first, so that large coordinates cancel without rounding errors.
   vec3 relative = high.w != 0.0 ? (high.xyz - eyeHigh) + (low - eyeLow) : high.xyz;
   gl_Position = eyeToClip * vec4(relative, high.w);
+  gl_Position.z += high.w * push;
   // For z-fail, what lies before the near plane is clipped (vtkShadowCounter.h).
   gl_ClipDistance[0] = gl_Position.z + gl_Position.w;
 }

@@ -121,6 +121,26 @@ bool vtkShadowCaster::Update(const std::shared_ptr<const vtkShadowTopology>& mes
   return true;
 }
 
+void vtkShadowCaster::SetRounding(const glm::dvec3& m, const std::optional<double>& moved)
+{
+  const glm::dmat4 toWorld = vtkNBufferGLM::ToMatrix(this->ToWorld.data());
+  double largest = moved.value_or(0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    largest += glm::length(glm::dvec3(toWorld[k])) * m[k];
+  }
+  const double rounding = (moved ? 20.0 : 10.0) * 0x1p-24 * largest;
+  const double size = glm::length(this->Bounds.High - this->Bounds.Low);
+  this->Rounding = rounding > 0x1p-17 * size ? rounding : 0.0;
+  for (Slot& slot : this->Slots)
+  {
+    for (vtkShadowPart& part : slot.Parts)
+    {
+      part.Rounding = this->Rounding;
+    }
+  }
+}
+
 bool vtkShadowCaster::UpdateParts(std::size_t slot, const vtkShadowLight& light,
   const vtkShadowLightSpace& space, const vtkShadowBlock& nearBounds)
 {
@@ -147,6 +167,7 @@ bool vtkShadowCaster::UpdateParts(std::size_t slot, const vtkShadowLight& light,
   vtkShadowPart whole;
   whole.Topology = this->Topology;
   whole.Points = &this->Points;
+  whole.Rounding = this->Rounding;
   AddPart(cached, std::move(whole), space);
   return true;
 }
@@ -178,6 +199,7 @@ void vtkShadowCaster::AddPart(Slot& slot, vtkShadowPart part, const vtkShadowLig
       vtkShadowPart half;
       half.Topology = MakeTopologyOfPart(*part.Topology, *part.Points, begin, end);
       half.Points = &half.Topology->GetPoints();
+      half.Rounding = part.Rounding;
       AddPart(slot, std::move(half), space);
     }
     return;

@@ -19,6 +19,23 @@
  * A stencil counts to 255. If more triangles of a caster may lie between a light and a receiver,
  * the triangles are split into several parts, which may be counted one after the other. A receiver
  * is in shadow of the caster if it is in shadow of any part.
+ *
+ * ## Rounding
+ *
+ * Volumes are drawn where double precision says, but VTK draws the caster itself with coordinates
+ * and matrices of floats. Let u be 2^-24, and m the largest distances of its vertices from the
+ * origin of its vertex buffer along the axes. In clip coordinates a vertex is off by at most
+ * 6 u (m_x + m_y + m_z): its coordinates, the elements of the matrix and their products are
+ * rounded, and so are three sums (vtkNBufferBoxError.h). The position of that origin relative to
+ * the eye adds 4 u times its distance, which is as large as m for an eye at the caster, and far
+ * less than a pixel for one that is far away. The rounding of a caster is the sum of both, in world
+ * units: 10 u (m_x + m_y + m_z) times the scale of the matrix.
+ *
+ * It matters for meshes that are small compared with their distance from the origin of their
+ * coordinates: a room of 8 m at 2 km was wholly in its own shadow. (VTK moves vertices before it
+ * rounds them only if the distance is 1000 times the size.) Where it is less than 2^-17 of the
+ * caster's size it counts as 0, because the pushes that all casters get suffice then
+ * (vtkShadowSilhouette::GetPushes), and more would move the edges of shadows.
  */
 #ifndef vtkShadowCaster_h
 #define vtkShadowCaster_h
@@ -31,6 +48,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -57,9 +75,21 @@ public:
   bool Update(const std::shared_ptr<const vtkShadowTopology>& mesh,
     const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
+  /// Sets the rounding, see above, from `m` in the coordinates of the mesh. For an instance of a
+  /// glyph `moved` is how far its place is from that of the actor; the matrix of the instance
+  /// rounds its vertices, too.
+  void SetRounding(const glm::dvec3& m, const std::optional<double>& moved);
+
   /// Sets whether the inside of the caster may be seen from everywhere, because its front faces are
   /// not drawn. All triangles count then.
   void SetInsideIsSeen(bool seen) { this->InsideIsSeen = seen; }
+
+  /// Where the origin of the mesh is in the world.
+  static glm::dvec3 GetOrigin(const std::array<double, 16>& toWorld)
+  {
+    return { toWorld[3], toWorld[7], toWorld[11] };
+  }
+  glm::dvec3 GetOrigin() const { return GetOrigin(this->ToWorld); }
 
   /// The merged points in world coordinates.
   const vtkShadowPoints& GetPoints() const { return this->Points; }
@@ -104,6 +134,7 @@ private:
   bool InsideIsSeen = false;
   std::array<double, 16> ToWorld = {};
   std::vector<Plane> Planes;
+  double Rounding = 0.0;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;
   std::shared_ptr<const vtkShadowTopology> Topology; ///< The topology after clipping.
   vtkShadowPoints Points;

@@ -6,6 +6,7 @@
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGlyphs.h"
 #include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferVertexCoordinates.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -40,6 +41,24 @@ double GetLightingMargin(vtkActor* actor)
 {
   return vtkNBufferDrawOrder::MattersTo(actor) ? Anywhere
                                                : vtkNBufferSurface::GetLightingMargin(actor);
+}
+
+/// The m of vtkShadowCaster.h for a part of a mapper, in the coordinates of the part. Whether VTK
+/// moves the origin of the buffer follows from all points of the mapper. If `mapper` is nullptr,
+/// the part has a buffer of its own.
+glm::dvec3 GetLargestCoordinates(vtkPolyData* part, vtkMapper* mapper)
+{
+  const vtkBoundingBox own(part->GetBounds());
+  const vtkBoundingBox all(mapper ? mapper->GetBounds() : part->GetBounds());
+  if (!own.IsValid() || !all.IsValid())
+  {
+    return glm::dvec3(0.0);
+  }
+  const auto low = [](const vtkBoundingBox& box) { return glm::make_vec3(box.GetMinPoint()); };
+  const auto high = [](const vtkBoundingBox& box) { return glm::make_vec3(box.GetMaxPoint()); };
+  const glm::dvec3 origin =
+    vtkNBufferVertexCoordinates::Estimate(mapper, low(all), high(all)).Origin;
+  return glm::max(vtkNBufferGLM::Abs(low(own) - origin), vtkNBufferGLM::Abs(high(own) - origin));
 }
 
 std::vector<vtkInformationKey*> GetKeys(vtkInformation* information)
@@ -231,9 +250,14 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   const auto addMesh = [&](const vtkNBufferSurface::Part& part, vtkGlyph3DMapper* glyphs)
   {
     this->AddMesh(part, glyphs, path, planes, member);
+    const glm::dvec3 largest =
+      GetLargestCoordinates(part.Mesh, glyphs ? nullptr : actor->GetMapper());
     for (const std::unique_ptr<vtkShadowCaster>& caster : member.Meshes.back().Casters)
     {
       caster->SetInsideIsSeen(isInsideSeen);
+      const auto moved = [&]
+      { return glm::length(caster->GetOrigin() - vtkShadowCaster::GetOrigin(part.ToWorld)); };
+      caster->SetRounding(largest, glyphs ? std::optional<double>(moved()) : std::nullopt);
     }
   };
   vtkGlyph3DMapper* glyphs = vtkNBufferGlyphs::GetMapper(actor->GetMapper());

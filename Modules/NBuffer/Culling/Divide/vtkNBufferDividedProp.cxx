@@ -7,6 +7,7 @@
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
 #include "vtkNBufferTuning.h"
+#include "vtkNBufferVertexCoordinates.h"
 
 #include "vtkActor.h"
 #include "vtkDataObject.h"
@@ -125,7 +126,7 @@ void vtkNBufferDividedProp::ReadRounding()
       vtkNBufferSurface::GetMarginOfLines(this->Actor->GetProperty()) });
     return;
   }
-  const auto buffer = vtkNBufferSurface::GetBufferCoordinates(this->Actor->GetMapper());
+  const auto buffer = vtkNBufferVertexCoordinates::Get(this->Actor->GetMapper());
   if (!buffer)
   {
     this->State = Phase::Refused;

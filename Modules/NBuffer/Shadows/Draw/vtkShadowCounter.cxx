@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -53,11 +54,11 @@ struct Range
   int Count;
 };
 
-/// The triangles of a draw that are offset, or the others.
-Range GetRange(const vtkShadowDraw& draw, bool offset)
+/// The triangles of a draw that are pushed, or the others.
+Range GetRange(const vtkShadowDraw& draw, bool pushed)
 {
-  const int first = draw.NumberOfOffsetIndices;
-  return offset ? Range{ draw.FirstIndex, first }
+  const int first = draw.NumberOfPushedIndices;
+  return pushed ? Range{ draw.FirstIndex, first }
                 : Range{ draw.FirstIndex + first, draw.NumberOfIndices - first };
 }
 
@@ -69,6 +70,13 @@ void SetBox(const vtkNBufferRectangle& box, const int viewport[4])
 void DrawRange(const Range& range)
 {
   glDrawElements(GL_TRIANGLES, range.Count, GL_UNSIGNED_INT, range.GetPlace());
+}
+
+/// The length of the part of a row of the matrix from the eye to clip coordinates that is
+/// multiplied with x, y and z.
+double GetLengthOfRow(const vtkShadowDrawList::View& view, int row)
+{
+  return glm::length(glm::dvec3(glm::row(view.EyeToClip, row)));
 }
 
 /// Draws into the same box with the same OpenGL state, which one call draws. Counts in the stencil
@@ -223,50 +231,65 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(vtkNBufferDepthConvention::PassIfNearer);
   const vtkNBufferRectangle everywhere = { 0, 0, view.Viewport[2], view.Viewport[3] };
-  const auto setState = [&](bool counting, bool zPass, bool offset)
+  // How far z / w changes, times w, if z and w are those of a point that is off by a unit.
+  const auto pushOfUnit = static_cast<float>(GetLengthOfRow(view, 2) + GetLengthOfRow(view, 3));
+  std::set<float> roundings;
+  for (const vtkShadowDraw* draw = first; draw != last; ++draw)
+  {
+    roundings.insert(draw->Rounding);
+  }
+  const auto setState = [&](bool counting, bool zPass, bool pushed, float rounding)
   {
     this->SetDirection(zPass);
     if (!counting)
     {
       glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     }
+    this->VolumeProgram->SetUniformf("push", pushed ? rounding * pushOfUnit : 0.0f);
     if (isOffsetByShader)
     {
-      this->VolumeProgram->SetUniformf("factor", offset ? OffsetFactor : 0.0f);
-      this->VolumeProgram->SetUniformf("bias", offset ? OffsetByShader : 0.0f);
+      this->VolumeProgram->SetUniformf("factor", pushed ? OffsetFactor : 0.0f);
+      this->VolumeProgram->SetUniformf("bias", pushed ? OffsetByShader : 0.0f);
     }
     else
     {
-      (offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+      (pushed ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
     }
+  };
+  const auto draw = [&](bool zPass, bool pushed, float rounding)
+  {
+    Batch batch; // what is drawn into the whole viewport
+    for (const vtkShadowDraw* i = first; i != last; ++i)
+    {
+      const Range range = GetRange(*i, pushed);
+      if (i->ZPass != zPass || i->Rounding != rounding || range.Count == 0)
+      {
+        continue;
+      }
+      if (i->Box == everywhere)
+      {
+        batch.Add(range);
+      }
+      else
+      {
+        SetBox(i->Box, view.Viewport);
+        DrawRange(range);
+      }
+    }
+    SetBox(everywhere, view.Viewport);
+    batch.Draw();
   };
   const auto drawAll = [&](bool counting)
   {
     for (const bool zPass : { false, true })
     {
-      for (const bool offset : { false, true })
+      for (const bool pushed : { false, true })
       {
-        setState(counting, zPass, offset);
-        Batch batch; // what is drawn into the whole viewport
-        for (const vtkShadowDraw* draw = first; draw != last; ++draw)
+        for (const float rounding : roundings)
         {
-          const Range range = GetRange(*draw, offset);
-          if (draw->ZPass != zPass || range.Count == 0)
-          {
-            continue;
-          }
-          if (draw->Box == everywhere)
-          {
-            batch.Add(range);
-          }
-          else
-          {
-            SetBox(draw->Box, view.Viewport);
-            DrawRange(range);
-          }
+          setState(counting, zPass, pushed, rounding);
+          draw(zPass, pushed, rounding);
         }
-        SetBox(everywhere, view.Viewport);
-        batch.Draw();
       }
     }
   };

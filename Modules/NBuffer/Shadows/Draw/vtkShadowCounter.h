@@ -29,6 +29,11 @@
  *           that the unlit side is in the volume. This matters where it is lit all the same, by
  *           normals that are interpolated across the edges of a coarse mesh.
  *
+ * A caster that is small compared with its distance from the origin of its coordinates is drawn
+ * farther off its place (vtkShadowCaster.h). Its z and w are rounded independently of each other,
+ * so that the error of its depth z / w is the sum of both, divided by w. These triangles are pushed
+ * by as much.
+ *
  * Where the device offsets corners instead of fragments, which bends triangles
  * (vtkNBufferGL::OffsetsBeyondFarPlane), the fragment shader offsets the triangles. It adds four
  * units, because its sum and the conversion of the depth that it writes are rounded by at most one

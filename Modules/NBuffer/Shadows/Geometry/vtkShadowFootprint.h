@@ -83,6 +83,7 @@ struct vtkShadowPart
   const vtkShadowPoints* Points = nullptr;
   std::shared_ptr<const vtkShadowTopology> Topology = nullptr;
   ///@}
+  double Rounding = 0.0; ///< How far off VTK may draw the caster, in world units; 0 if not far.
 };
 
 VTK_ABI_NAMESPACE_END

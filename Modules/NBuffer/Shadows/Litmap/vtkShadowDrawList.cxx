@@ -89,9 +89,12 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
   draw.MaximumCount = caster.Silhouette.GetMaximumCount();
   if (isNearCapItsOwn)
   {
-    draw.NumberOfOffsetIndices = caster.Silhouette.GetCounting() == vtkShadowCounting::All
+    draw.NumberOfPushedIndices = caster.Silhouette.GetCounting() == vtkShadowCounting::All
       ? draw.NumberOfIndices
       : static_cast<int>(caster.Silhouette.GetTriangles().size());
+    draw.Rounding = caster.Rounding > 0.0
+      ? static_cast<float>(std::exp2(std::ceil(std::log2(caster.Rounding))))
+      : 0.0f;
   }
   draw.ZPass = this->IsBeyondNearPlane(piece);
   draw.Box = { 0, 0, this->Camera.Viewport[2], this->Camera.Viewport[3] };
