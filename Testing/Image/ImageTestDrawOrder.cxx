@@ -207,21 +207,27 @@ Make BorderedTexture(float alpha)
     });
 }
 
-vtkSmartPointer<vtkLookupTable> MakeTable()
+vtkSmartPointer<vtkLookupTable> MakeTable(double leastAlpha = 0.2)
 {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetAlphaRange(0.2, 0.9);
+  table->SetAlphaRange(leastAlpha, 1.0);
   table->SetRange(0.0, 255.0);
   table->Build();
   return table;
 }
 
-/// The pane's texture gets its colors from a lookup table.
-void SetMappedTexture(vtkActor* actor, vtkTexture* texture)
+/// The pane with a texture that gets its colors from a lookup table with an alpha of its own.
+Make MappedTexture(double leastAlpha, double alpha = 1.0)
 {
-  texture->SetLookupTable(MakeTable());
-  texture->SetColorModeToMapScalars();
-  actor->SetTexture(texture);
+  return Textured(1,
+    [=](vtkActor* actor, vtkTexture* texture)
+    {
+      const auto table = MakeTable(leastAlpha);
+      table->SetAlpha(alpha);
+      texture->SetLookupTable(table);
+      texture->SetColorModeToMapScalars();
+      actor->SetTexture(texture);
+    });
 }
 
 /// A skybox. A floor fades out at the horizon, in front of the lower half of the boxes.
@@ -237,11 +243,6 @@ Make Skybox(int projection)
     skybox->SetTexture(texture);
     return skybox;
   };
-}
-
-void SetTable(vtkImageSlice* slice)
-{
-  slice->GetProperty()->SetLookupTable(MakeTable());
 }
 
 /// Such a mapper leaves what is outside of the image transparent.
@@ -260,7 +261,7 @@ vtkSmartPointer<vtkProp> MakeReslice(vtkRenderer*)
 #endif
 }
 
-vtkSmartPointer<vtkProp> MakeStack(vtkRenderer* renderer)
+vtkSmartPointer<vtkProp> MakeStack([[maybe_unused]] vtkRenderer* renderer)
 {
 #if VTKNBUFFER_TEST_HAS_RENDERINGIMAGE
   auto stack = vtkSmartPointer<vtkImageStack>::New();
@@ -268,7 +269,6 @@ vtkSmartPointer<vtkProp> MakeStack(vtkRenderer* renderer)
     Slice([](vtkImageSlice* slice) { slice->GetProperty()->SetOpacity(0.5); })(renderer)));
   return stack;
 #else
-  (void)renderer;
   return nullptr;
 #endif
 }
@@ -389,7 +389,7 @@ vtkSmartPointer<vtkProp> MakeLabeledPoints(vtkRenderer* renderer, bool onlyVisib
 }
 
 /// Labels that are chosen and drawn in the last stage, when all depth is there.
-vtkSmartPointer<vtkProp> MakePlacedLabels(vtkRenderer* renderer)
+vtkSmartPointer<vtkProp> MakePlacedLabels([[maybe_unused]] vtkRenderer* renderer)
 {
 #if VTKNBUFFER_TEST_HAS_RENDERINGLABEL
   const auto points = MakePoints();
@@ -402,7 +402,6 @@ vtkSmartPointer<vtkProp> MakePlacedLabels(vtkRenderer* renderer)
   mapper->SetInputConnection(hierarchy->GetOutputPort());
   return MakeLabels(mapper);
 #else
-  (void)renderer;
   return nullptr;
 #endif
 }
@@ -530,7 +529,9 @@ const Ordered Cases[] = {
   { "OpaqueSelection", Selected(1.0), false },
   { "FaintBaseColor", BaseColor(4) },
   { "OpaqueBaseColor", BaseColor(3), false },
-  { "MappedTexture", Textured(1, &SetMappedTexture) },
+  { "MappedTexture", MappedTexture(0.2) },
+  { "MappedTextureOfATableWithAlpha", MappedTexture(1.0, 0.5) },
+  { "OpaqueMappedTexture", MappedTexture(1.0), false },
   { "FaintDecal", NamedTexture("decal") },
   { "Normals", NamedTexture("normalTex"), false },
   { "FaintBorder", BorderedTexture(0.3F) },
@@ -551,7 +552,8 @@ const Ordered Cases[] = {
     false },
   { "SliceWithAlpha", Slice([](vtkImageSlice*) {}, 4) },
   { "SliceWithColors", Slice([](vtkImageSlice*) {}, 3), false },
-  { "SliceWithLookupTable", Slice(&SetTable) },
+  { "SliceWithLookupTable",
+    Slice([](vtkImageSlice* slice) { slice->GetProperty()->SetLookupTable(MakeTable()); }) },
   { "Reslice", MakeReslice },
   { "Stack", MakeStack },
   { "ImageActor", MakeImageActor },

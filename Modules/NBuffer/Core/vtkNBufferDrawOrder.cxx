@@ -33,12 +33,12 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// Whether the colors of a texture have an alpha below 1. VTK does not look at those that it maps,
-/// and at the border.
+/// to which the table's own alpha is applied, and at the border.
 bool IsFaint(vtkTexture* texture)
 {
   vtkScalarsToColors* table = texture ? texture->GetLookupTable() : nullptr;
   return texture &&
-    (texture->IsTranslucent() || (table && !table->IsOpaque()) ||
+    (texture->IsTranslucent() || (table && (!table->IsOpaque() || table->GetAlpha() < 1.0)) ||
       (texture->GetWrap() == vtkTexture::ClampToBorder && texture->GetBorderColor()[3] < 1.0F));
 }
 
