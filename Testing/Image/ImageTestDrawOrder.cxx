@@ -17,6 +17,7 @@
 #include "vtkImageSliceMapper.h"
 #include "vtkLabeledContourMapper.h"
 #include "vtkLookupTable.h"
+#include "vtkObjectFactory.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -421,6 +422,32 @@ vtkSmartPointer<vtkProp> MakeBatchedLabels(vtkRenderer*)
 #endif
 }
 
+/// Draws labels that are no props of the renderer, as VTK's class of this name does.
+class vtkGridAxesActor3D : public vtkProp
+{
+public:
+  static vtkGridAxesActor3D* New();
+  vtkTypeMacro(vtkGridAxesActor3D, vtkProp);
+  int RenderOpaqueGeometry(vtkViewport* viewport) override
+  {
+    return this->Labels->RenderOpaqueGeometry(viewport);
+  }
+  void ReleaseGraphicsResources(vtkWindow* w) override
+  {
+    this->Labels->ReleaseGraphicsResources(w);
+  }
+
+  vtkSmartPointer<vtkProp> Labels;
+};
+vtkStandardNewMacro(vtkGridAxesActor3D);
+
+vtkSmartPointer<vtkProp> MakeGridAxes(vtkRenderer* renderer)
+{
+  auto axes = vtkSmartPointer<vtkGridAxesActor3D>::New();
+  axes->Labels = MakeBatchedLabels(renderer);
+  return axes->Labels ? axes : nullptr;
+}
+
 class CullerDrawOrder : public testing::TestWithParam<Ordered>
 {
 };
@@ -566,6 +593,7 @@ const Ordered Cases[] = {
     [](vtkRenderer* renderer) { return MakeLabeledPoints(renderer, true); } },
   { "PlacedLabels", MakePlacedLabels, false },
   { "BatchedLabels", MakeBatchedLabels },
+  { "GridAxes", MakeGridAxes },
 };
 }
 

@@ -182,6 +182,11 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
       (HasFaintColors(actor) || HasShadersWithOpacity(actor) || DrawsFaintSplats(actor) ||
         IsFadingFloor(actor) || Blends(actor->GetMapper()));
   }
+  // Their labels are no props of the renderer.
+  if (prop->IsA("vtkGridAxesActor3D") || prop->IsA("vtkGridAxesActor2D"))
+  {
+    return true;
+  }
   if (auto* slice = vtkImageSlice::SafeDownCast(prop))
   {
     return !slice->HasTranslucentPolygonalGeometry() && !HasOpaqueColors(slice);

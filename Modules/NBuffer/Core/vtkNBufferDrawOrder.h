@@ -15,7 +15,7 @@
  *    opacity (vtkImageSlice::HasTranslucentPolygonalGeometry()), the floor of a vtkSkybox, which
  *    fades out towards the horizon, surfaces of vtkOpenGLSurfaceProbeVolumeMapper, which may have
  *    the alpha of a volume, graphs, and the labels of vtkLabeledContourMapper,
- *    vtkFastLabeledDataMapper and vtkBatchedLabeledDataMapper;
+ *    vtkFastLabeledDataMapper, vtkBatchedLabeledDataMapper and grid axes;
  *  - reads the depth there. vtkLabeledDataMapper updates its pipeline while it is drawn, and
  *    vtkSelectVisiblePoints in that pipeline compares points with what the window has drawn so far.
  */
