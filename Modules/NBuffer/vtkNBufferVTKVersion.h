@@ -36,6 +36,9 @@
 // Applications use vtkCompositePolyDataMapper2 for composite data.
 #define VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3)
 
+// vtkCompositeDataDisplayAttributes chooses the scalars of a block, their range and lookup table.
+#define VTKNBUFFER_HAS_BLOCK_SCALARS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 3)
+
 // vtkOpenGLBatchedPolyDataMapper draws the blocks of composite data in the order of a list of flat
 // indices.
 #define VTKNBUFFER_HAS_BATCHED_MAPPER (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4)

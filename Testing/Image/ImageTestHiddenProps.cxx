@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What VTK changes only when it draws a prop, and what an application changes while a prop is
 // hidden.
+#include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "Scenes.h"
 
+#include "vtkAbstractMapper.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLookupTable.h"
+#include "vtkMapper.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -118,6 +124,24 @@ TEST_P(CullerTables, HaveTheRangeOfHiddenProps)
 
 namespace
 {
+/// A mapper of one block with scalars.
+vtkSmartPointer<CompositeMapper> MakeBlockMapper(vtkLookupTable* table)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeSphereWithScalars());
+  auto mapper = vtkSmartPointer<CompositeMapper>::New();
+  mapper->SetInputDataObject(blocks);
+  mapper->SetLookupTable(table);
+  mapper->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
+  return mapper;
+}
+
+vtkDataSet* GetFirstBlock(vtkMapper* mapper)
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  return vtkDataSet::SafeDownCast(blocks->GetBlock(0));
+}
+
 const Table Tables[] = {
   { "OfAMapper",
     [](vtkLookupTable* table)
@@ -144,6 +168,31 @@ const Table Tables[] = {
       mapper->SetLookupTable(table);
       return mapper;
     } },
+  { "OfBlocks", [](vtkLookupTable* table) { return MakeBlockMapper(table); } },
+#if VTKNBUFFER_HAS_BLOCK_SCALARS
+  { "OfABlockThatShowsScalars",
+    [](vtkLookupTable* table)
+    {
+      auto mapper = MakeBlockMapper(table);
+      mapper->ScalarVisibilityOff();
+      mapper->GetCompositeDataDisplayAttributes()->SetBlockScalarVisibility(
+        GetFirstBlock(mapper), true);
+      return mapper;
+    } },
+  { "OfABlockThatNamesAnArray",
+    [](vtkLookupTable* table)
+    {
+      auto mapper = MakeBlockMapper(table);
+      vtkDataSet* block = GetFirstBlock(mapper);
+      block->GetPointData()->GetScalars()->SetName("values");
+      block->GetPointData()->SetActiveScalars(nullptr);
+      auto* attributes = mapper->GetCompositeDataDisplayAttributes();
+      attributes->SetBlockScalarMode(block, VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+      attributes->SetBlockArrayAccessMode(block, VTK_GET_ARRAY_BY_NAME);
+      attributes->SetBlockArrayName(block, "values");
+      return mapper;
+    } },
+#endif
 };
 
 /// An image of 8 x 8 pixels with this alpha.

@@ -5,10 +5,14 @@
 #include "CullerTest.h"
 #include "Scenes.h"
 
+#include "vtkActor.h"
 #include "vtkAssembly.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLookupTable.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPointData.h"
@@ -275,6 +279,25 @@ const Sharing Sharings[] = {
         stage.Add(MakeActor(mapper, isNear ? Place::Near : Place::Far));
       }
     } },
+#if VTKNBUFFER_HAS_BLOCK_SCALARS
+  { "TableOfABlock",
+    [](Stage& stage)
+    {
+      vtkNew<vtkLookupTable> table;
+      AddColored(stage, Place::Far, table, false);
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, MakeScalarSphere());
+      vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+      attributes->SetBlockScalarVisibility(blocks->GetBlock(0), true);
+      vtkNew<vtkCompositePolyDataMapper> mapper;
+      mapper->SetInputDataObject(blocks);
+      mapper->SetCompositeDataDisplayAttributes(attributes);
+      mapper->ScalarVisibilityOff();
+      mapper->SetLookupTable(table);
+      mapper->SetScalarRange(-0.5, 0.7);
+      stage.Add(MakeActor(mapper, Place::Near));
+    } },
+#endif
   { "TableOfATexture",
     [](Stage& stage)
     {

@@ -5,10 +5,12 @@
 #include "vtkNBufferForEachChild.h"
 #include "vtkNBufferProtectedMembers.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
@@ -19,42 +21,70 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The scalars that a mapper maps, or nullptr; of composite data those of the first block with any.
-vtkAbstractArray* GetScalars(vtkMapper* mapper, vtkDataObject* data)
+/// Whether a test holds for data or, if it is composite, for any node of it.
+template <typename Test>
+bool AnyOf(vtkDataObject* data, const Test& test)
 {
-  if (!mapper->GetScalarVisibility())
-  {
-    return nullptr;
-  }
-  vtkAbstractArray* scalars = nullptr;
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  bool holds = data && test(data);
+  if (auto* tree = holds ? nullptr : vtkDataObjectTree::SafeDownCast(data))
   {
     vtkNBufferForEachChild(tree,
       [&](vtkDataObject* child)
       {
-        scalars = GetScalars(mapper, child);
-        return scalars == nullptr;
+        holds = AnyOf(child, test);
+        return !holds;
       });
-    return scalars;
   }
+  return holds;
+}
+
+/// The scalars that a mapper maps of a data set, or nullptr.
+vtkAbstractArray* GetScalars(vtkMapper* mapper, vtkDataObject* data)
+{
   int isCellArray = 0;
-  return vtkAbstractMapper::GetAbstractScalars(vtkDataSet::SafeDownCast(data),
-    mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
-    mapper->GetArrayName(), isCellArray);
+  return mapper->GetScalarVisibility()
+    ? vtkAbstractMapper::GetAbstractScalars(vtkDataSet::SafeDownCast(data), mapper->GetScalarMode(),
+        mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isCellArray)
+    : nullptr;
+}
+
+#if VTKNBUFFER_HAS_BLOCK_SCALARS
+/// The attributes of the blocks of composite data, or nullptr.
+vtkCompositeDataDisplayAttributes* GetAttributes(vtkMapper* mapper)
+{
+  auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper);
+  return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
 /// Whether blocks of composite data have tables, or ranges, of their own.
 bool HasBlocksWithTables(vtkMapper* mapper)
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-  static_cast<void>(mapper);
-  return false;
-#else
-  auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper);
-  auto* attributes = composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
-  return attributes && (attributes->HasBlockLookupTables() || attributes->HasBlockScalarRanges());
-#endif
+  auto* attributes = GetAttributes(mapper);
+  return attributes &&
+    (attributes->HasBlockLookupTables() || attributes->HasBlockScalarRanges() ||
+      attributes->HasBlockUseLookupTableScalarRanges());
 }
+
+/// Whether blocks of composite data choose their scalars, which GetScalars() does not find then.
+bool HasBlocksWithScalars(vtkMapper* mapper)
+{
+  auto* attributes = GetAttributes(mapper);
+  return attributes &&
+    (attributes->HasBlockScalarVisibilities() || attributes->HasBlockScalarModes() ||
+      attributes->HasBlockArrayAccessModes() || attributes->HasBlockArrayIds() ||
+      attributes->HasBlockArrayNames());
+}
+#else
+bool HasBlocksWithTables(vtkMapper*)
+{
+  return false;
+}
+
+bool HasBlocksWithScalars(vtkMapper*)
+{
+  return false;
+}
+#endif
 
 vtkScalarsToColors* GetTable(vtkMapper* mapper, vtkAbstractArray* scalars)
 {
@@ -62,16 +92,22 @@ vtkScalarsToColors* GetTable(vtkMapper* mapper, vtkAbstractArray* scalars)
   return array && array->GetLookupTable() ? array->GetLookupTable()
                                           : vtkNBufferProtectedMembers::GetLookupTable(mapper);
 }
+
+/// Whether a mapper may map scalars.
+bool MapsScalars(vtkMapper* mapper)
+{
+  return mapper->GetScalarVisibility() || HasBlocksWithScalars(mapper);
+}
 }
 
 vtkScalarsToColors* vtkNBufferScalars::GetLookupTable(vtkMapper* mapper)
 {
-  return GetTable(mapper, GetScalars(mapper, mapper->GetInput()));
+  return MapsScalars(mapper) ? GetTable(mapper, GetScalars(mapper, mapper->GetInput())) : nullptr;
 }
 
 bool vtkNBufferScalars::ChangeTable(vtkMapper* mapper)
 {
-  if (!mapper->GetScalarVisibility())
+  if (!MapsScalars(mapper))
   {
     return false;
   }
@@ -85,7 +121,9 @@ bool vtkNBufferScalars::ChangeTable(vtkMapper* mapper)
   return table && !mapper->GetUseLookupTableScalarRange() &&
     !vtkColorTransferFunction::SafeDownCast(table) &&
     !std::equal(table->GetRange(), table->GetRange() + 2, mapper->GetScalarRange()) &&
-    GetScalars(mapper, mapper->GetInputDataObject(0, 0));
+    (HasBlocksWithScalars(mapper) ||
+      AnyOf(mapper->GetInputDataObject(0, 0),
+        [mapper](vtkDataObject* data) { return GetScalars(mapper, data) != nullptr; }));
 }
 
 bool vtkNBufferScalars::AreFaint(vtkMapper* mapper)

@@ -21,12 +21,13 @@ class vtkScalarsToColors;
 
 namespace vtkNBufferScalars
 {
-/// The lookup table by which a mapper maps scalars: that of the array, or of the mapper, which may
-/// be nullptr. Arrays in composite data are not looked at.
+/// The lookup table by which a mapper may map scalars: that of the array, or of the mapper, which
+/// may be nullptr. Arrays in composite data are not looked at.
 VTKNBUFFER_EXPORT vtkScalarsToColors* GetLookupTable(vtkMapper* mapper);
 
 /// Whether drawing an actor of this mapper would change the mapper's table, or the range of it.
-/// Always true if blocks of composite data have tables, or ranges, of their own.
+/// Always true if blocks of composite data have tables, or ranges, of their own. If they choose
+/// their scalars, it is not looked whether there are any.
 VTKNBUFFER_EXPORT bool ChangeTable(vtkMapper* mapper);
 
 /// Whether a mapper maps scalars to colors that have an alpha below 1 although VTK takes them for

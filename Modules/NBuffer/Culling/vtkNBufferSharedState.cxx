@@ -106,8 +106,7 @@ vtkNBufferSharedState::Use GetTableUse(vtkMapper* mapper)
     Combine(way, std::hash<double>()(mapper->GetScalarRange()[0]));
     Combine(way, std::hash<double>()(mapper->GetScalarRange()[1]));
   }
-  return { mapper->GetScalarVisibility() ? vtkNBufferScalars::GetLookupTable(mapper) : nullptr,
-    way };
+  return { vtkNBufferScalars::GetLookupTable(mapper), way };
 }
 
 /// A texture uses the range that it finds in its table.
