@@ -1,18 +1,27 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Props that are blended: they hide nothing, and the image depends on the order of drawing.
+#include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "Scenes.h"
 
+#include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
+
+#include <functional>
 
 using Scenes::Wall;
 
@@ -61,6 +70,17 @@ TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
 
 namespace
 {
+/// A table that VTK takes for opaque, although the color of all values but 1 is not.
+vtkSmartPointer<vtkScalarsToColors> MakeTableWithFaintNaN()
+{
+  auto function = vtkSmartPointer<vtkColorTransferFunction>::New();
+  function->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
+  function->SetAnnotation(vtkVariant(1.0), "one");
+  function->IndexedLookupOn();
+  function->SetNanOpacity(0.4);
+  return function;
+}
+
 /// Gives the wall scalars from 1 to its number of points.
 vtkSmartPointer<vtkFloatArray> AddScalars(Stage& stage)
 {
@@ -90,12 +110,7 @@ TEST(CullerProps, BlendedColorsThatVTKTakesForOpaque)
         const auto scalars = AddScalars(stage);
         if (isFunction)
         {
-          vtkNew<vtkColorTransferFunction> function;
-          function->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
-          function->SetAnnotation(vtkVariant(1.0), "one");
-          function->IndexedLookupOn();
-          function->SetNanOpacity(0.4);
-          stage.GetActor(Wall::Index)->GetMapper()->SetLookupTable(function);
+          stage.GetActor(Wall::Index)->GetMapper()->SetLookupTable(MakeTableWithFaintNaN());
           return;
         }
         vtkNew<vtkLookupTable> table;
@@ -109,6 +124,26 @@ TEST(CullerProps, BlendedColorsThatVTKTakesForOpaque)
       EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4) << "the wall hides nothing";
     }
   }
+}
+
+namespace
+{
+/// Compares frames of the wall scene in which the wall and the camera move, with culling in each.
+void CompareOrder(Comparison& comparison, const std::function<void()>& check)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    comparison.Frame(
+      [i](Stage& stage)
+      {
+        Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 9.0 : -2.0 * i);
+        stage.GetActor(Wall::Index)->SetPosition(i % 3, 0.0, 0.0);
+      });
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    EXPECT_GT(comparison.GetHidden(), 0);
+    check();
+  }
+}
 }
 
 // Hazard: a prop that is forced to be opaque, with an opacity below 1, is blended in the opaque
@@ -130,23 +165,153 @@ TEST(CullerProps, BlendedInTheOpaqueStage)
       last = Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
       Scenes::SetWallCamera(stage.GetRenderer());
     });
-  for (int i = 0; i < 8; ++i)
-  {
-    comparison.Frame(
-      [i](Stage& stage)
-      {
-        Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 9.0 : -2.0 * i);
-        stage.GetActor(Wall::Index)->SetPosition(i % 3, 0.0, 0.0);
-      });
-    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    EXPECT_GT(comparison.GetHidden(), 0);
-    for (int blended = Wall::Count; blended <= last; ++blended)
+  CompareOrder(comparison,
+    [&]
     {
-      const Verdict verdict = comparison.GetVerdict(blended);
-      EXPECT_TRUE(verdict == Verdict::Blended || verdict == Verdict::Outside) << blended;
-    }
-  }
+      for (int blended = Wall::Count; blended <= last; ++blended)
+      {
+        const Verdict verdict = comparison.GetVerdict(blended);
+        EXPECT_TRUE(verdict == Verdict::Blended || verdict == Verdict::Outside) << blended;
+      }
+    });
 }
+
+namespace
+{
+/// How composite data with scalars is drawn.
+struct BlendedBlocks : NamedCase
+{
+  std::function<vtkSmartPointer<vtkMapper>(vtkMultiBlockDataSet*)> MakeMapper;
+  bool IsBlended = true;
+};
+
+class CullerBlendedBlocks : public testing::TestWithParam<BlendedBlocks>
+{
+};
+
+/// Two blocks with scalars before the wall.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    const auto box = Scenes::MakeBox({ 6.0 * i - 3.0, 0.0, 6.0 }, { 5.0, 8.0, 0.1 });
+    vtkNew<vtkFloatArray> scalars;
+    scalars->SetNumberOfTuples(box->GetNumberOfPoints());
+    scalars->FillValue(1.0F + static_cast<float>(i));
+    box->GetPointData()->SetScalars(scalars);
+    blocks->SetBlock(i, box);
+  }
+  return blocks;
+}
+}
+
+// Hazard: VTK takes blocks for opaque that it blends in the opaque stage.
+TEST_P(CullerBlendedBlocks, BlendedInTheOpaqueStage)
+{
+  int last = -1;
+  Comparison comparison(
+    [&last](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(GetParam().MakeMapper(MakeBlocks()));
+      stage.Add(actor);
+      last = Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
+    });
+  CompareOrder(comparison,
+    [&] { EXPECT_EQ(comparison.GetVerdict(last) == Verdict::Blended, GetParam().IsBlended); });
+}
+
+namespace
+{
+vtkSmartPointer<CompositeMapper> MakeCompositeMapper(vtkMultiBlockDataSet* blocks)
+{
+  auto mapper = vtkSmartPointer<CompositeMapper>::New();
+  mapper->SetInputDataObject(blocks);
+  mapper->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
+  return mapper;
+}
+
+vtkSmartPointer<vtkGlyph3DMapper> MakeGlyphs(vtkMultiBlockDataSet* blocks)
+{
+  auto mapper = vtkSmartPointer<vtkGlyph3DMapper>::New();
+  mapper->SetInputDataObject(blocks);
+  mapper->SetSourceData(Scenes::MakeBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.1 }));
+  mapper->ScalingOff();
+  mapper->SetBlockAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
+  return mapper;
+}
+
+const BlendedBlocks BlendedCases[] = {
+  { "UnknownValues",
+    [](vtkMultiBlockDataSet* blocks)
+    {
+      auto mapper = MakeCompositeMapper(blocks);
+      mapper->SetLookupTable(MakeTableWithFaintNaN());
+      return mapper;
+    } },
+  { "NoValues",
+    [](vtkMultiBlockDataSet* blocks)
+    {
+      auto mapper = MakeCompositeMapper(blocks);
+      mapper->SetLookupTable(MakeTableWithFaintNaN());
+      mapper->ScalarVisibilityOff();
+      return mapper;
+    },
+    false },
+#if VTKNBUFFER_HAS_BLOCK_SCALARS
+  { "UnknownValuesOfOneBlock",
+    [](vtkMultiBlockDataSet* blocks)
+    {
+      auto mapper = MakeCompositeMapper(blocks);
+      mapper->SetLookupTable(MakeTableWithFaintNaN());
+      mapper->ScalarVisibilityOff();
+      mapper->GetCompositeDataDisplayAttributes()->SetBlockScalarVisibility(
+        blocks->GetBlock(1), true);
+      return mapper;
+    } },
+  { "TableOfOneBlock",
+    [](vtkMultiBlockDataSet* blocks)
+    {
+      auto mapper = MakeCompositeMapper(blocks);
+      mapper->GetCompositeDataDisplayAttributes()->SetBlockLookupTable(
+        blocks->GetBlock(1), MakeTableWithFaintNaN());
+      return mapper;
+    } },
+#endif
+  { "OpaqueGlyphs", &MakeGlyphs, false },
+  { "GlyphsOfAFaintBlock",
+    [](vtkMultiBlockDataSet* blocks)
+    {
+      auto mapper = MakeGlyphs(blocks);
+      mapper->GetBlockAttributes()->SetBlockOpacity(blocks->GetBlock(1), 0.4);
+      return mapper;
+    } },
+  { "GlyphsOfATableWithAlpha",
+    [](vtkMultiBlockDataSet* blocks)
+    {
+      vtkNew<vtkLookupTable> table;
+      table->SetAlphaRange(0.4, 0.4);
+      auto mapper = MakeGlyphs(blocks);
+      mapper->SetLookupTable(table);
+      return mapper;
+    } },
+  { "GlyphsWithColors",
+    [](vtkMultiBlockDataSet* blocks)
+    {
+      auto* block = vtkDataSet::SafeDownCast(blocks->GetBlock(1));
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(4);
+      colors->SetNumberOfTuples(block->GetNumberOfPoints());
+      colors->FillValue(100);
+      block->GetPointData()->SetScalars(colors);
+      return MakeGlyphs(blocks);
+    } },
+};
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerBlendedBlocks, testing::ValuesIn(BlendedCases), GetCaseName);
 
 // Hazard: a part of an assembly is blended in the opaque stage, which the assembly itself does not
 // show.

@@ -8,6 +8,8 @@
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkBillboardTextActor3D.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
@@ -118,6 +120,15 @@ bool DrawsFaintSplats(vtkActor* actor)
   return mapper->GetEmissive() || hasText(mapper->GetOpacityArray()) || isFaint;
 }
 
+/// Whether a mapper draws glyphs of composite data with blocks of an opacity, which VTK does not
+/// look at.
+bool DrawsFaintGlyphs(vtkMapper* mapper)
+{
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+  auto* attributes = glyphs && !mapper->GetInput() ? glyphs->GetBlockAttributes() : nullptr;
+  return attributes && attributes->HasBlockOpacities();
+}
+
 /// Whether an actor is the floor of a skybox, which fades out towards the horizon.
 bool IsFadingFloor(vtkActor* actor)
 {
@@ -180,7 +191,7 @@ bool vtkNBufferDrawOrder::MattersTo(vtkProp* prop)
     }
     return actor->HasOpaqueGeometry() &&
       (HasFaintColors(actor) || HasShadersWithOpacity(actor) || DrawsFaintSplats(actor) ||
-        IsFadingFloor(actor) || Blends(actor->GetMapper()));
+        DrawsFaintGlyphs(actor->GetMapper()) || IsFadingFloor(actor) || Blends(actor->GetMapper()));
   }
   // Their labels are no props of the renderer.
   if (prop->IsA("vtkGridAxesActor3D") || prop->IsA("vtkGridAxesActor2D"))

@@ -14,8 +14,9 @@
  *    borders, or have an array of opacities. VTK draws there slices of images, whatever their
  *    opacity (vtkImageSlice::HasTranslucentPolygonalGeometry()), the floor of a vtkSkybox, which
  *    fades out towards the horizon, surfaces of vtkOpenGLSurfaceProbeVolumeMapper, which may have
- *    the alpha of a volume, graphs, and the labels of vtkLabeledContourMapper,
- *    vtkFastLabeledDataMapper, vtkBatchedLabeledDataMapper and grid axes;
+ *    the alpha of a volume, graphs, glyphs of composite data, whatever the opacity of a block, and
+ *    the labels of vtkLabeledContourMapper, vtkFastLabeledDataMapper, vtkBatchedLabeledDataMapper
+ *    and grid axes;
  *  - reads the depth there. vtkLabeledDataMapper updates its pipeline while it is drawn, and
  *    vtkSelectVisiblePoints in that pipeline compares points with what the window has drawn so far.
  */

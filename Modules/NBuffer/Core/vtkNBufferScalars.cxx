@@ -4,6 +4,7 @@
 
 #include "vtkNBufferForEachChild.h"
 #include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferSurface.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkColorTransferFunction.h"
@@ -74,6 +75,13 @@ bool HasBlocksWithScalars(vtkMapper* mapper)
       attributes->HasBlockArrayAccessModes() || attributes->HasBlockArrayIds() ||
       attributes->HasBlockArrayNames());
 }
+
+/// The table of a block of its own, or nullptr.
+vtkScalarsToColors* GetBlockTable(vtkMapper* mapper, vtkDataObject* block)
+{
+  auto* attributes = GetAttributes(mapper);
+  return attributes ? attributes->GetBlockLookupTable(block).Get() : nullptr;
+}
 #else
 bool HasBlocksWithTables(vtkMapper*)
 {
@@ -83,6 +91,11 @@ bool HasBlocksWithTables(vtkMapper*)
 bool HasBlocksWithScalars(vtkMapper*)
 {
   return false;
+}
+
+vtkScalarsToColors* GetBlockTable(vtkMapper*, vtkDataObject*)
+{
+  return nullptr;
 }
 #endif
 
@@ -97,6 +110,20 @@ vtkScalarsToColors* GetTable(vtkMapper* mapper, vtkAbstractArray* scalars)
 bool MapsScalars(vtkMapper* mapper)
 {
   return mapper->GetScalarVisibility() || HasBlocksWithScalars(mapper);
+}
+
+/// Whether a table has colors with an alpha below 1 that its IsOpaque() does not look at.
+bool HasFaintColors(vtkScalarsToColors* table)
+{
+  auto* function = vtkColorTransferFunction::SafeDownCast(table);
+  bool isFaint = function && function->GetNanOpacity() < 1.0;
+  for (vtkIdType i = 0; function && i < function->GetNumberOfAnnotatedValues(); ++i)
+  {
+    double color[4];
+    function->GetIndexedColor(i, color);
+    isFaint = isFaint || color[3] < 1.0;
+  }
+  return isFaint;
 }
 }
 
@@ -128,22 +155,35 @@ bool vtkNBufferScalars::ChangeTable(vtkMapper* mapper)
 
 bool vtkNBufferScalars::AreFaint(vtkMapper* mapper)
 {
-  vtkAbstractArray* scalars = GetScalars(mapper, mapper->GetInput());
-  vtkScalarsToColors* table = scalars ? GetTable(mapper, scalars) : nullptr;
-  if (!table)
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  vtkScalarsToColors* own = vtkNBufferProtectedMembers::GetLookupTable(mapper);
+  if (vtkNBufferSurface::IsComposite(mapper))
   {
-    return false;
+    // VTK asks the tables of the mapper and of all blocks whether they are opaque.
+    return MapsScalars(mapper) &&
+      (HasFaintColors(own) ||
+        (HasBlocksWithTables(mapper) &&
+          AnyOf(input,
+            [mapper](vtkDataObject* data)
+            { return HasFaintColors(GetBlockTable(mapper, data)); })));
   }
-  auto* function = vtkColorTransferFunction::SafeDownCast(table);
-  bool isFaint = function && function->GetNanOpacity() < 1.0;
-  for (vtkIdType i = 0; function && i < function->GetNumberOfAnnotatedValues(); ++i)
+  // Of other composite data it asks nothing: neither the table of the mapper, which it would make
+  // and build when it draws, nor colors in the arrays.
+  const bool isAsked = mapper->GetInput();
+  if (input && !isAsked && mapper->GetScalarVisibility())
   {
-    double color[4];
-    function->GetIndexedColor(i, color);
-    isFaint = isFaint || color[3] < 1.0;
+    own = mapper->GetLookupTable();
+    own->Build();
   }
-  return isFaint ||
-    (table != vtkNBufferProtectedMembers::GetLookupTable(mapper) &&
-      !table->IsOpaque(scalars, mapper->GetColorMode(), mapper->GetArrayComponent()));
+  return AnyOf(input,
+    [=](vtkDataObject* data)
+    {
+      vtkAbstractArray* scalars = GetScalars(mapper, data);
+      vtkScalarsToColors* table = scalars ? GetTable(mapper, scalars) : nullptr;
+      return table &&
+        (HasFaintColors(table) ||
+          (!(isAsked && table == own) &&
+            !table->IsOpaque(scalars, mapper->GetColorMode(), mapper->GetArrayComponent())));
+    });
 }
 VTK_ABI_NAMESPACE_END

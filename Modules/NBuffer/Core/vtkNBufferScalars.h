@@ -32,7 +32,8 @@ VTKNBUFFER_EXPORT bool ChangeTable(vtkMapper* mapper);
 
 /// Whether a mapper maps scalars to colors that have an alpha below 1 although VTK takes them for
 /// opaque. VTK looks at the mapper's table even if the array has another one, and not at the
-/// colors that a color transfer function has for NaN and for annotated values.
+/// colors that a color transfer function has for NaN and for annotated values. Of composite data it
+/// looks at nothing, unless a mapper of blocks draws it; tables of arrays are not looked at then.
 bool AreFaint(vtkMapper* mapper);
 }
 
