@@ -12,16 +12,23 @@
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkCylinderSource.h"
+#include "vtkDataArray.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkSphereSource.h"
+#include "vtkTexture.h"
+#include "vtkTextureMapToSphere.h"
 #include "vtkTransform.h"
 #include "vtkTransformFilter.h"
 
@@ -233,6 +240,76 @@ TEST_F(PassRounding, LitSurfacesFarFromTheOriginStayLit)
         EXPECT_EQ(pass->GetStatistics().Casters, 1);
       }
     }
+  }
+}
+
+using PassHoles = OffscreenFixture;
+
+// Hazard: through holes of its surface the inside of a closed caster is seen, which no light
+// reaches. (Fragments of a texture whose alpha is 0 are discarded.)
+TEST_F(PassHoles, TheInsideIsInShadow)
+{
+  const Stage stage = SetStage(
+    [](SceneBuilder& scene)
+    {
+      scene.Sphere({ 0.0, 0.0, 1.5 }, 1.0);
+      scene.Box({ 0.0, 0.0, 1.5 }, { 0.4, 0.4, 0.4 });
+      scene.Directional({ 0.3, 0.2, -1.0 });
+      scene.Look({ 0.0, -6.0, 4.0 }, { 0.0, 0.0, 1.5 });
+    });
+  vtkActor* sphere = GetActors(stage.GetRenderer())[0];
+  vtkNew<vtkTextureMapToSphere> coordinates;
+  coordinates->SetInputDataObject(sphere->GetMapper()->GetInputDataObject(0, 0));
+  sphere->GetMapper()->SetInputConnection(coordinates->GetOutputPort());
+  vtkNew<vtkImageData> clear;
+  clear->SetDimensions(2, 2, 1);
+  clear->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  clear->GetPointData()->GetScalars()->Fill(0.0);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(clear);
+  texture->InterpolateOff();
+  sphere->SetTexture(texture);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  for (const int mode : ShadowModes)
+  {
+    pass->SetMode(mode);
+    stage.Window->Render();
+    EXPECT_EQ(GetMask(stage, pass)[200 * 75 + 100], 255) << "the box in it, mode " << mode;
+  }
+}
+
+using PassProjections = OffscreenFixture;
+
+// Hazard: the projection is parallel although the camera's flag says otherwise, and volumes of
+// lights with a position end at places that are not projected.
+TEST_F(PassProjections, ExplicitMatricesDecideWhatIsParallel)
+{
+  const Stage stage = SetStage(
+    [](SceneBuilder& scene)
+    {
+      scene.Floor(5.0);
+      scene.Box({ 0.5, 0.3, 0.8 }, { 0.9, 0.7, 0.6 });
+      scene.PointLight({ -1.5, -1.0, 3.0 });
+      scene.LookParallel({ 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 }, 3.0);
+    });
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(
+    camera->GetProjectionTransformMatrix(stage.GetRenderer()->GetTiledAspectRatio(), -1.0, 1.0));
+  camera->SetExplicitProjectionTransformMatrix(matrix);
+  for (const int mode : ShadowModes)
+  {
+    pass->SetMode(mode);
+    camera->UseExplicitProjectionTransformMatrixOff();
+    camera->ParallelProjectionOn();
+    stage.Window->Render();
+    const ShadowMask expected = GetMask(stage, pass);
+    EXPECT_GT(CountShadowed(expected), 100);
+    camera->UseExplicitProjectionTransformMatrixOn();
+    camera->ParallelProjectionOff();
+    stage.Window->Render();
+    EXPECT_EQ(GetMask(stage, pass), expected) << "mode " << mode;
   }
 }
 

@@ -100,35 +100,31 @@ void CheckByBruteForce(const ShadowMesh& mesh, const vtkShadowTopology& topology
   }
   ASSERT_EQ(topology.IsClosed(), closed);
 
-  // Components: the same for the triangles of an edge; numbered in order; as many as flooding
-  // finds.
-  ASSERT_EQ(topology.GetComponents().size(), triangles.size() / 3);
-  std::vector<int> flooded(triangles.size() / 3);
-  std::iota(flooded.begin(), flooded.end(), 0);
-  for (bool changed = true; changed;)
+  // Components: numbered in order; the same for the triangles of an edge with two uses; as closed as
+  // the mesh at each edge.
+  const std::vector<int>& components = topology.GetComponents();
+  ASSERT_EQ(components.size(), triangles.size() / 3);
+  int count = 0;
+  for (const int component : components)
   {
-    changed = false;
-    for (const auto& [ends, uses] : edges)
+    ASSERT_LE(component, count);
+    count = std::max(count, component + 1);
+  }
+  ASSERT_EQ(topology.GetNumberOfComponents(), count);
+  for (const auto& [ends, uses] : edges)
+  {
+    std::map<int, int> balances;
+    int balance = 0;
+    for (const auto& [triangle, direction] : uses)
     {
-      int least = flooded[uses[0].first];
-      for (const auto& [triangle, direction] : uses)
-      {
-        least = std::min(least, flooded[triangle]);
-      }
-      for (const auto& [triangle, direction] : uses)
-      {
-        changed = changed || flooded[triangle] != least;
-        flooded[triangle] = least;
-      }
+      balances[components[triangle]] += direction;
+      balance += direction;
     }
+    ASSERT_TRUE(uses.size() != 2 || balances.size() == 1);
+    const auto open = std::count_if(balances.begin(), balances.end(),
+      [](const std::pair<const int, int>& component) { return component.second != 0; });
+    ASSERT_EQ(open, balance != 0);
   }
-  std::map<int, int> numbers;
-  for (std::size_t t = 0; t < flooded.size(); ++t)
-  {
-    const int next = static_cast<int>(numbers.size());
-    ASSERT_EQ(topology.GetComponents()[t], numbers.emplace(flooded[t], next).first->second);
-  }
-  ASSERT_EQ(topology.GetNumberOfComponents(), static_cast<int>(numbers.size()));
 }
 
 /// Whether no corner is before any triangle's plane; exact for small integers.
@@ -192,6 +188,20 @@ TEST(ShadowTopology, RepeatedPointsAreMerged)
   EXPECT_EQ(sphere.GetNumberOfPoints(), 2 + 5 * 8);
   EXPECT_EQ(GetEulerCharacteristic(sphere), 2);
   EXPECT_TRUE(sphere.IsClosed());
+}
+
+TEST(ShadowTopology, BodiesThatTouchInAnEdgeAreComponents)
+{
+  const ShadowMesh cube = MakeCube();
+  const ShadowMesh other = MakeCube().Translate(1.0, 1.0, 0.0);
+  for (const ShadowMesh& second : { other, other.Reverse() })
+  {
+    const vtkShadowTopology topology = Build(Join("", { cube, second }));
+    EXPECT_EQ(CountUses(topology), (EdgeUses{ { 2, 34 }, { 4, 1 } }));
+    EXPECT_TRUE(topology.IsClosed());
+    EXPECT_EQ(topology.GetNumberOfComponents(), 2);
+  }
+  EXPECT_EQ(Build(MakeThreePages()).GetNumberOfComponents(), 1);
 }
 
 TEST(ShadowTopology, NegativeZeroIsZero)

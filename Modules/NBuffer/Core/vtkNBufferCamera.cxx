@@ -31,7 +31,9 @@ vtkNBufferCamera::vtkNBufferCamera(vtkRenderer* renderer)
       toMatrix(camera->GetModelViewTransformMatrix());
   }
   camera->GetPosition(glm::value_ptr(this->Eye));
-  this->IsParallel = camera->GetParallelProjection() != 0;
+  // An explicit projection matrix may be of the other kind than the camera says.
+  const glm::dvec4 w = glm::row(this->WorldToClip, 3);
+  this->IsParallel = w.x == 0.0 && w.y == 0.0 && w.z == 0.0;
 }
 
 glm::dmat4 vtkNBufferCamera::GetEyeToClip() const

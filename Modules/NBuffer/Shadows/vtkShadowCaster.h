@@ -81,7 +81,7 @@ public:
   void SetRounding(const glm::dvec3& m, const std::optional<double>& moved);
 
   /// Sets whether the inside of the caster may be seen from everywhere, because its front faces are
-  /// not drawn. All triangles count then.
+  /// not drawn, or have holes. All triangles count then.
   void SetInsideIsSeen(bool seen) { this->InsideIsSeen = seen; }
 
   /// Where the origin of the mesh is in the world.

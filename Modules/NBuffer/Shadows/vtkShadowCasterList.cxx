@@ -6,23 +6,28 @@
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGlyphs.h"
 #include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferTextures.h"
 #include "vtkNBufferVertexCoordinates.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkDataArray.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIterator.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSkybox.h"
+#include "vtkTexture.h"
 
 #include <algorithm>
 #include <functional>
@@ -41,6 +46,22 @@ double GetLightingMargin(vtkActor* actor)
 {
   return vtkNBufferDrawOrder::MattersTo(actor) ? Anywhere
                                                : vtkNBufferSurface::GetLightingMargin(actor);
+}
+
+/// Whether the inside of an actor may be seen through its surface: VTK's shader discards fragments
+/// whose alpha is 0, and shaders of the application may discard any. A texture whose alpha is 0 or
+/// 255 everywhere counts as opaque if it is not interpolated.
+bool MayHaveHoles(vtkActor* actor)
+{
+  const std::vector<vtkTexture*> textures = vtkNBufferGetTextures(actor);
+  return vtkNBufferDrawOrder::MattersTo(actor) || vtkNBufferSurface::HasReplacedShaders(actor) ||
+    std::any_of(textures.begin(), textures.end(),
+      [](vtkTexture* texture)
+      {
+        vtkImageData* image = texture->GetInput();
+        vtkDataArray* colors = image ? image->GetPointData()->GetScalars() : nullptr;
+        return colors && colors->GetNumberOfComponents() % 2 == 0; // the last one is alpha
+      });
 }
 
 /// The m of vtkShadowCaster.h for a part of a mapper, in the coordinates of the part. Whether VTK
@@ -245,8 +266,9 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     vtkNBufferSurface::GetClippingPlanes(actor->GetMapper());
   // A matrix that mirrors makes the device take front faces for back faces.
   vtkProperty* property = actor->GetProperty();
-  const bool isInsideSeen = matrix->Determinant() < 0.0 ? property->GetBackfaceCulling() != 0
-                                                        : property->GetFrontfaceCulling() != 0;
+  const bool isInsideSeen = MayHaveHoles(actor) ||
+    (matrix->Determinant() < 0.0 ? property->GetBackfaceCulling()
+                                 : property->GetFrontfaceCulling());
   const auto addMesh = [&](const vtkNBufferSurface::Part& part, vtkGlyph3DMapper* glyphs)
   {
     this->AddMesh(part, glyphs, path, planes, member);

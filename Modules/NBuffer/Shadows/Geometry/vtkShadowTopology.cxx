@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
@@ -172,13 +173,37 @@ void vtkShadowTopology::BuildComponents()
     }
     return t;
   };
+  const auto unite = [&parents, &find](int x, int y)
+  {
+    x = find(x);
+    y = find(y);
+    parents[std::max(x, y)] = std::min(x, y);
+  };
   for (const Edge& edge : this->Edges)
   {
-    for (int u = edge.First + 1; u < edge.First + edge.Count; ++u)
+    if (edge.Count == 2)
     {
-      const int x = find(this->Uses[u - 1].Triangle);
-      const int y = find(this->Uses[u].Triangle);
-      parents[std::max(x, y)] = std::min(x, y);
+      unite(this->Uses[edge.First].Triangle, this->Uses[edge.First + 1].Triangle);
+    }
+  }
+  for (const Edge& edge : this->Edges)
+  {
+    if (edge.Count > 2)
+    {
+      std::map<int, int> balances; // of the components that use the edge
+      for (int u = edge.First; u < edge.First + edge.Count; ++u)
+      {
+        balances[find(this->Uses[u].Triangle)] += this->Uses[u].Direction;
+      }
+      int last = -1; // the last component that is open here
+      for (const auto& [component, balance] : balances)
+      {
+        if (balance != 0)
+        {
+          unite(component, last >= 0 ? last : component);
+          last = component;
+        }
+      }
     }
   }
   // In ascending order, all lower entries have already been replaced by numbers of components.
