@@ -27,6 +27,8 @@
  *    not actors;
  *  - the image depends only on props that the renderer's active camera sees. A pass that renders
  *    shadow maps or reflections, for instance, needs other props, too;
+ *  - the depth of the opaque props is there when the translucent ones are drawn, unless its
+ *    delegates erase it;
  *  - a prop does not change pixels beyond those that it covers. A pass that blurs, for instance,
  *    may draw on a margin around the viewport, which shows props outside of the camera's frustum.
  *

@@ -6,19 +6,30 @@
 #include "ScenePasses.h"
 #include "Scenes.h"
 
+#include "vtkNBufferGL.h"
 #include "vtkNBufferRenderPassTraits.h"
 
 #include "vtkDefaultPass.h"
+#include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkLightsPass.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkProperty.h"
+#include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
+#include "vtkSmartPointer.h"
+#include "vtkTranslucentPass.h"
 
 using Scenes::Wall;
+using TestScene::InSequence;
+using TestScene::MakeSequence;
 using TestScene::PassKind;
 
 namespace
@@ -42,6 +53,62 @@ void SetPass(Stage& stage, vtkRenderPass* pass)
 std::function<void(Stage&)> Use(PassKind kind)
 {
   return [kind](Stage& stage) { SetPass(stage, TestScene::MakePass(kind, nullptr)); };
+}
+
+void ClearDepth(const vtkRenderState* s)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  window->GetState()->vtkglDepthMask(GL_TRUE);
+  window->GetState()->vtkglClear(GL_DEPTH_BUFFER_BIT);
+}
+
+///@{
+/// These do to the depth what VTK's passes of the same names do, which not every package of VTK
+/// has. The culler knows passes by their names.
+class vtkClearZPass : public vtkRenderPass
+{
+public:
+  static vtkClearZPass* New();
+  vtkTypeMacro(vtkClearZPass, vtkRenderPass);
+  void Render(const vtkRenderState* s) override { ClearDepth(s); }
+};
+vtkStandardNewMacro(vtkClearZPass);
+
+class vtkToneMappingPass : public vtkFramebufferPass
+{
+public:
+  static vtkToneMappingPass* New();
+  vtkTypeMacro(vtkToneMappingPass, vtkFramebufferPass);
+  void Render(const vtkRenderState* s) override
+  {
+    this->Superclass::Render(s);
+    ClearDepth(s);
+  }
+};
+vtkStandardNewMacro(vtkToneMappingPass);
+///@}
+
+/// Makes a pass of a pass for the lights, the opaque stage and the translucent one.
+using MakeStages = vtkSmartPointer<vtkRenderPass> (*)(
+  vtkRenderPass* lights, vtkRenderPass* opaque, vtkRenderPass* translucent);
+
+std::function<void(Stage&)> UseStages(MakeStages make)
+{
+  return [make](Stage& stage)
+  {
+    SetPass(
+      stage, make(vtkNew<vtkLightsPass>(), vtkNew<vtkOpaquePass>(), vtkNew<vtkTranslucentPass>()));
+  };
+}
+
+/// Draws the opaque stage alone in a framebuffer of the pass.
+template <typename PassType>
+vtkSmartPointer<vtkRenderPass> InFramebuffer(
+  vtkRenderPass* lights, vtkRenderPass* opaque, vtkRenderPass* translucent)
+{
+  vtkNew<PassType> pass;
+  pass->SetDelegatePass(MakeSequence({ lights, opaque }));
+  return MakeSequence({ pass, translucent });
 }
 
 void UseSSAO(Stage& stage)
@@ -199,7 +266,7 @@ const PassWay PassWays[] = {
     {
       Scenes::SetSpotLight(s);
       vtkNew<vtkShadowMapPass> shadows;
-      SetPass(s, TestScene::MakeSequence({ shadows->GetShadowMapBakerPass(), shadows.Get() }));
+      SetPass(s, MakeSequence({ shadows->GetShadowMapBakerPass(), shadows.Get() }));
     },
     Decision::RenderPass },
   { "RenderStepsPass", Use(PassKind::RenderSteps), Decision::Culled, true },
@@ -207,6 +274,23 @@ const PassWay PassWays[] = {
   { "DefaultPass", Use(PassKind::Default), Decision::Culled, true },
   { "OpaqueTwice", Use(PassKind::OpaqueTwice), Decision::OtherView },
   { "TranslucentBeforeOpaque", Use(PassKind::TranslucentFirst), Decision::Culled, true },
+  // Hazard: the depth by which translucent props were tested is gone when they are drawn.
+  { "ClearZBeforeTranslucent",
+    UseStages(
+      [](vtkRenderPass* lights, vtkRenderPass* opaque, vtkRenderPass* translucent) {
+        return MakeSequence({ lights, opaque, vtkNew<vtkClearZPass>(), translucent });
+      }),
+    Decision::Culled, true },
+  { "CameraBeforeTranslucent",
+    UseStages(
+      [](vtkRenderPass* lights, vtkRenderPass* opaque, vtkRenderPass* translucent) {
+        return InSequence({ MakeSequence({ lights, opaque }), MakeSequence({ translucent }) });
+      }),
+    Decision::Culled, true },
+  { "ToneMappingBeforeTranslucent", UseStages(InFramebuffer<vtkToneMappingPass>), Decision::Culled,
+    true },
+  { "FramebufferBeforeTranslucent", UseStages(InFramebuffer<vtkFramebufferPass>), Decision::Culled,
+    true },
   { "BlurPass",
     [](Stage& s)
     {
@@ -231,7 +315,7 @@ const PassWay PassWays[] = {
       vtkNew<vtkLightsPass> lights;
       vtkNew<UsersPassWithTraits> pass;
       pass->Delegate = vtkSmartPointer<vtkDefaultPass>::New();
-      SetPass(s, TestScene::MakeSequence({ lights, pass }));
+      SetPass(s, MakeSequence({ lights, pass }));
     },
     Decision::Culled, true },
   { "UsersPassWithTraitsAroundAnUnknownOne",

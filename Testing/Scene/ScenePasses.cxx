@@ -32,6 +32,14 @@ namespace
 {
 constexpr int Peels = 4;
 
+vtkSmartPointer<vtkRenderPass> WithCamera(vtkRenderPass* inner)
+{
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(inner);
+  return camera;
+}
+}
+
 vtkSmartPointer<vtkRenderPass> InSequence(std::initializer_list<vtkRenderPass*> passes)
 {
   vtkNew<vtkRenderPassCollection> collection;
@@ -42,15 +50,6 @@ vtkSmartPointer<vtkRenderPass> InSequence(std::initializer_list<vtkRenderPass*> 
   vtkNew<vtkSequencePass> sequence;
   sequence->SetPasses(collection);
   return sequence;
-}
-
-vtkSmartPointer<vtkRenderPass> WithCamera(vtkRenderPass* inner)
-{
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(inner);
-  return camera;
-}
-
 }
 
 vtkSmartPointer<vtkRenderPass> MakeSequence(std::initializer_list<vtkRenderPass*> passes)

@@ -31,8 +31,11 @@ inline bool HasShadowVolumes(PassKind kind)
 /// that its maps went with the context. Both would end the program.
 void RenewPasses(vtkRenderer* renderer);
 
-/// Makes a vtkCameraPass around a sequence of passes, as applications do.
+///@{
+/// Make a vtkCameraPass around a sequence of passes, as applications do, and the sequence alone.
 vtkSmartPointer<vtkRenderPass> MakeSequence(std::initializer_list<vtkRenderPass*> passes);
+vtkSmartPointer<vtkRenderPass> InSequence(std::initializer_list<vtkRenderPass*> passes);
+///@}
 }
 
 #endif

@@ -33,6 +33,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -181,6 +182,22 @@ bool ErasesDepth(vtkRenderer* renderer)
 {
   return renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
     !renderer->GetPreserveDepthBuffer();
+}
+
+bool KeepsOpaqueDepth(vtkRenderer* renderer)
+{
+  const auto keepsItForItself = [](vtkRenderPass* pass)
+  { return pass->IsA("vtkToneMappingPass") || pass->IsA("vtkFramebufferPass"); };
+  bool isAnyDrawn = false;
+  return !AnyPass(renderer->GetPass(),
+    [&](vtkRenderPass* pass)
+    {
+      const std::size_t parts = GetParts(pass).size();
+      const bool erases = pass->IsA("vtkCameraPass") || pass->IsA("vtkClearZPass");
+      const bool isLost = (erases && isAnyDrawn) || (parts > 1 && AnyPass(pass, keepsItForItself));
+      isAnyDrawn = isAnyDrawn || (parts == 0 && !erases && !pass->IsA("vtkLightsPass"));
+      return isLost;
+    });
 }
 
 bool ProcessesImage(vtkRenderer* renderer)

@@ -62,6 +62,12 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateLi
 /// Whether the renderer erases depth before it draws its props.
 bool ErasesDepth(vtkRenderer* renderer);
 
+/// Whether translucent props are drawn over the depth of the opaque ones. Render passes may erase
+/// it before (vtkCameraPass, vtkClearZPass), or draw opaque props into a framebuffer whose depth
+/// they do not hand on to the passes that follow (vtkToneMappingPass, and vtkFramebufferPass of
+/// VTK 9.1).
+bool KeepsOpaqueDepth(vtkRenderer* renderer);
+
 /// Whether the renderer processes the image (FXAA, SSAO) after it has drawn its props. This also
 /// changes what renderers of lower layers have drawn. VTK does it if the renderer's list of props
 /// is not empty, even if these props draw nothing.

@@ -356,7 +356,10 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
       : this->Partition.RemoveOccluders(left, left.size(), this->Projection);
     if (left.empty() && areAllUnits)
     {
-      this->TestTranslucent(test);
+      if (vtkNBufferCompatibility::KeepsOpaqueDepth(renderer))
+      {
+        this->TestTranslucent(test);
+      }
       draw(std::move(visible));
       return true;
     }
