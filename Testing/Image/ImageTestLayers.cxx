@@ -4,6 +4,7 @@
 // What a renderer leaves for the next one of the window: the picture, the depth and OpenGL state.
 #include "CullerTest.h"
 #include "LargeProps.h"
+#include "ScenePasses.h"
 #include "Scenes.h"
 
 #include "vtkNBufferGL.h"
@@ -12,7 +13,10 @@
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
 #include "vtkDiskSource.h"
+#include "vtkLightsPass.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
@@ -64,25 +68,31 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
   }
 }
 
+namespace
+{
+/// A layer with 40 boxes, all behind the wall of the layer below. Returns its renderer.
+vtkRenderer* BuildLayerBehindWall(Stage& stage)
+{
+  Scenes::BuildWall(stage);
+  stage.Window->SetNumberOfLayers(2);
+  vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
+  layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
+  for (int i = 0; i < 40; ++i)
+  {
+    Scenes::AddBox(stage, 0.2 * (i % 8) - 0.7, 0.2 * (i / 8) - 0.5, -6.0, 0.1, 0.1, 0.1);
+    vtkActor* box = stage.GetActor(Wall::Count + i);
+    layer->AddActor(box);
+    stage.GetRenderer()->RemoveActor(box);
+  }
+  return layer;
+}
+}
+
 // Hazard: the depth of the layer below hides props, and is then erased while nothing else changes.
 TEST(CullerLayers, KeptDepthThatIsErased)
 {
   Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      stage.Window->SetNumberOfLayers(2);
-      vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
-      layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
-      layer->SetPreserveDepthBuffer(true);
-      for (int i = 0; i < 40; ++i)
-      {
-        Scenes::AddBox(stage, 0.2 * (i % 8) - 0.7, 0.2 * (i / 8) - 0.5, -6.0, 0.1, 0.1, 0.1);
-        vtkActor* box = stage.GetActor(Wall::Count + i);
-        layer->AddActor(box);
-        stage.GetRenderer()->RemoveActor(box);
-      }
-    });
+    [](Stage& stage) { BuildLayerBehindWall(stage)->SetPreserveDepthBuffer(true); });
   for (int i = 0; i < 4; ++i)
   {
     comparison.Frame("kept");
@@ -91,6 +101,30 @@ TEST(CullerLayers, KeptDepthThatIsErased)
   comparison.Frame(
     "erased", [](Stage& stage) { stage.Renderers[1]->SetPreserveDepthBuffer(false); });
   EXPECT_EQ(comparison.GetHidden(1), 0);
+}
+
+// Hazard: a renderer whose passes do not erase draws over the depth of the layer below, of which
+// the wall then goes while nothing else changes.
+TEST(CullerLayers, PassesThatEraseNothing)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      vtkRenderer* layer = BuildLayerBehindWall(stage);
+      vtkNew<vtkOpaquePass> opaque;
+      layer->SetPass(TestScene::InSequence({ vtkNew<vtkLightsPass>(), opaque }));
+      // It lies in all rows, of which the culler would otherwise read none.
+      Scenes::AddBox(stage, 5.0, 0.0, 5.0, 0.2, 30.0, 0.2, layer);
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Frame("behind the wall");
+  }
+  EXPECT_EQ(comparison.GetHidden(1), 40);
+  comparison.Frame(
+    "without the wall", [](Stage& stage) { stage.GetActor(Wall::Index)->SetVisibility(false); });
+  EXPECT_EQ(comparison.GetDecision(1), Decision::Culled);
+  EXPECT_LT(comparison.GetHidden(1), 40);
 }
 
 // Hazard: a large prop of which no unit is in the view is kept for the image processing, beside the

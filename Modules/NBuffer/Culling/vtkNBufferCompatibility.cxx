@@ -112,6 +112,21 @@ bool IsUnknownPass(vtkRenderPass* pass)
   return !GetTraits(pass) && !vtkNBufferKnownClasses::IsKnown(pass);
 }
 
+/// Whether a camera pass erases the framebuffer in which the first of the passes that call no other
+/// ones draws. A camera pass around another framebuffer does not erase that one.
+bool BeginsWithErasing(vtkRenderPass* root)
+{
+  bool erases = false;
+  AnyPass(root,
+    [&erases](vtkRenderPass* pass)
+    {
+      const bool hasFramebuffer = pass->IsA("vtkImageProcessingPass") || pass->IsA("vtkSSAAPass");
+      erases = pass->IsA("vtkCameraPass") || (erases && !hasFramebuffer);
+      return GetParts(pass).empty();
+    });
+  return erases;
+}
+
 /// Whether VTK draws any of the props in a way that is meant for its own depth alone. An offset
 /// that pushes a surface away from the eye pulls it towards the eye in reversed depth. Depth
 /// peeling and order-independent transparency compare translucent props with the depth in their
@@ -181,7 +196,8 @@ void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vtkCuller* self)
 bool ErasesDepth(vtkRenderer* renderer)
 {
   return renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
-    !renderer->GetPreserveDepthBuffer();
+    !renderer->GetPreserveDepthBuffer() &&
+    (!renderer->GetPass() || BeginsWithErasing(renderer->GetPass()));
 }
 
 bool KeepsOpaqueDepth(vtkRenderer* renderer)

@@ -59,7 +59,8 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateLi
   const vtkNBufferViewKey& key, vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source,
   std::string& why);
 
-/// Whether the renderer erases depth before it draws its props.
+/// Whether the renderer erases depth before it draws its props. With a render pass, vtkCameraPass
+/// does that.
 bool ErasesDepth(vtkRenderer* renderer);
 
 /// Whether translucent props are drawn over the depth of the opaque ones. Render passes may erase
