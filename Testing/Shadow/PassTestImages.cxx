@@ -455,6 +455,18 @@ TEST_F(PassImages, LaterStagesAreThoseOfTheRenderer)
   }
 }
 
+// Hazard: a renderer that draws nothing smooths what lies below it when shadows are switched on.
+TEST_F(PassImages, NothingIsSmoothedWhereNothingIsDrawn)
+{
+  Stage stage = SetNamedStage("Directional");
+  stage.Window->SetNumberOfLayers(2);
+  vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
+  layer->UseFXAAOn();
+  const Picture expected = RenderPicture(stage);
+  layer->SetPass(vtkNew<vtkShadowVolumeClampPass>());
+  EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+}
+
 // Hazard: a prop appears when shadows are switched on, such as the 3D text of PyVista's grid, which
 // is translucent and does not say so. Without a translucent prop the renderer leaves the stage out.
 TEST_F(PassImages, TheTranslucentStageIsDrawnWhereTheRendererDrawsIt)

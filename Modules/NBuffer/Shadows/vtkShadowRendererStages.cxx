@@ -45,7 +45,8 @@ void vtkShadowTranslucentStage::Render(const vtkRenderState* s)
       this->Superclass::Render(s);
     }
   }
-  if (auto* smoothed = renderer->GetUseFXAA() ? vtkOpenGLRenderer::SafeDownCast(renderer) : nullptr)
+  const bool smooths = renderer->GetUseFXAA() && s->GetPropArrayCount() > 0;
+  if (auto* smoothed = smooths ? vtkOpenGLRenderer::SafeDownCast(renderer) : nullptr)
   {
     if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
     {

@@ -12,7 +12,7 @@
  *    text of vtkCubeAxesActor does not, and is not drawn then);
  *  - translucent props are drawn by order-independent transparency (vtkRenderer::UseOIT) or by
  *    depth peeling (vtkRenderer::UseDepthPeeling);
- *  - the image is smoothed after that (vtkRenderer::UseFXAA);
+ *  - the image is smoothed after that (vtkRenderer::UseFXAA), unless the list of props is empty;
  *  - volumes are drawn with the translucent props (vtkRenderer::UseDepthPeelingForVolumes).
  */
 #ifndef vtkShadowRendererStages_h
