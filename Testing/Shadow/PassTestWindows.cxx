@@ -3,20 +3,26 @@
 
 // Windows, renderers and lifetimes.
 #include "PassTestTools.h"
+#include "ScenePasses.h"
 #include "ShadowShapes.h"
 
 #include "vtkNBufferCuller.h"
+#include "vtkNBufferGL.h"
 
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkHardwareSelector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkLightsPass.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPropPicker.h"
 #include "vtkProperty.h"
+#include "vtkSSAOPass.h"
 #include "vtkSelection.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
@@ -276,6 +282,43 @@ TEST_F(PassWindows, WithTheCuller)
       ExpectMatchesOracle(stage, pass);
     }
   }
+}
+
+// Hazard: vtkSSAOPass makes its own draw buffers those of the framebuffer of the receivers' depth,
+// in which they are missing. OpenGL before 4.1 does not draw into it then.
+TEST_F(PassWindows, InsideAmbientOcclusion)
+{
+  const Stage stage = SetNamedStage("Directional");
+  vtkNew<vtkSSAOPass> occlusion;
+  vtkNew<vtkShadowVolumeClampPass> shadows;
+  occlusion->SetDelegatePass(TestScene::MakeSequence({ vtkNew<vtkLightsPass>(), shadows }));
+  stage.GetRenderer()->SetPass(occlusion);
+  int depthDraws = 0;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&depthDraws);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* draws, void*)
+    {
+      int type = 0;
+      glGetFramebufferAttachmentParameteriv(
+        GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+      if (type == GL_NONE)
+      {
+        ++*static_cast<int*>(draws);
+        int buffers[2] = { 0, 0 };
+        glGetIntegerv(GL_DRAW_BUFFER0, &buffers[0]);
+        glGetIntegerv(GL_DRAW_BUFFER1, &buffers[1]);
+        EXPECT_EQ(buffers[0], GL_NONE);
+        EXPECT_EQ(buffers[1], GL_NONE);
+      }
+    });
+  for (vtkActor* actor : GetActors(stage.GetRenderer()))
+  {
+    actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, command);
+  }
+  stage.Window->Render();
+  EXPECT_EQ(shadows->GetStatistics().Decision, vtkShadowDecision::Drawn);
+  EXPECT_GT(depthDraws, 0);
 }
 
 //------------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "vtkShadowShading.h"
 
 #include "vtkNBufferSharedText.h"
+#include "vtkNBufferVTKVersion.h"
 #include "vtkShadowLightDec.h"
 #include "vtkShadowSampleDec.h"
 #include "vtkShadowTarget.h"
@@ -11,6 +12,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+
+#include VTKNBUFFER_GL_HEADER
 
 #include <algorithm>
 
@@ -93,6 +96,12 @@ void vtkShadowShading::SetUp(const std::vector<vtkShadowLightSource>& lights, in
 
 void vtkShadowShading::SetParameters(vtkShaderProgram* program)
 {
+  if (this->DrawnFor == Purpose::Depth)
+  {
+    // For each prop vtkSSAOPass makes the draw buffers of its own framebuffer those of the one that
+    // is bound. This one has only depth, and would be incomplete before OpenGL 4.1.
+    this->State->vtkglDrawBuffer(GL_NONE);
+  }
   const std::pair<const void*, int> current = { program, program->GetHandle() };
   if (current == this->LastProgram)
   {
@@ -135,6 +144,7 @@ vtkShadowShading::Scope::Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow*
     target.GetMask(i)->Activate();
     shading.TextureUnits[i] = target.GetMask(i)->GetTextureUnit();
   }
+  shading.State = window->GetState();
   shading.DrawnFor = purpose;
   shading.DepthUnit = shading.TextureUnits[0];
   if (this->Depth)

@@ -89,6 +89,7 @@ private:
   std::vector<int> TextureUnits; ///< Element i is the texture unit of mask i.
   int DepthUnit = 0;
   Purpose DrawnFor = Purpose::Color;
+  vtkOpenGLState* State = nullptr; ///< That of the Scope's window.
   /// The program whose uniforms were set last in this Scope, and its handle. Most props share their
   /// program, which keeps its uniforms from prop to prop.
   std::pair<const void*, int> LastProgram = {};
