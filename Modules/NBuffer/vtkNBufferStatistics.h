@@ -206,10 +206,11 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   /// timer queries. They may belong to an earlier frame: the culler never waits for a timer query.
   double DeviceBuildTime = 0.0;
 
-  /// The number of props with a verdict.
+  /// The number of props with a verdict; 0 for a number that is none.
   int GetCount(vtkNBufferVerdict verdict) const
   {
-    return this->Verdicts[static_cast<std::size_t>(verdict)];
+    const auto i = static_cast<std::size_t>(verdict);
+    return i < this->Verdicts.size() ? this->Verdicts[i] : 0;
   }
 
   /// The number of props that were culled.

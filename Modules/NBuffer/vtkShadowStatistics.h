@@ -198,16 +198,18 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   /// has no timers.
   vtkShadowStageTimes DeviceTimes = UnknownShadowStageTimes;
 
-  /// The milliseconds of the graphics device for one stage.
+  /// The milliseconds of the graphics device for one stage; -1 for a number that is none.
   double GetDeviceTime(vtkShadowStage stage) const
   {
-    return this->DeviceTimes[static_cast<std::size_t>(stage)];
+    const auto i = static_cast<std::size_t>(stage);
+    return i < this->DeviceTimes.size() ? this->DeviceTimes[i] : -1.0;
   }
 
-  /// The number of casters with a verdict, summed over the lights.
+  /// The number of casters with a verdict, summed over the lights; 0 for a number that is none.
   int GetCount(vtkShadowVerdict verdict) const
   {
-    return this->Verdicts[static_cast<std::size_t>(verdict)];
+    const auto i = static_cast<std::size_t>(verdict);
+    return i < this->Verdicts.size() ? this->Verdicts[i] : 0;
   }
 
   /// A JSON object on one line, with a member for each field above. Verdicts and the decision are

@@ -186,6 +186,25 @@ TEST(NBufferStatistics, DrawnHiddenAndOutsideAreAllProps)
     statistics.GetNumberOfPropsDrawn() + statistics.GetNumberOfPropsNotDrawn(), statistics.Props);
 }
 
+// Hazard: scripts pass any number for a verdict, and what lies beside the counts is read.
+TEST(NBufferStatistics, NumbersThatAreNoVerdictsCountNothing)
+{
+  Culling culling;
+  culling.Verdicts.fill(7);
+  Shadows shadows;
+  shadows.Verdicts.fill(7);
+  shadows.DeviceTimes.fill(7.0);
+  for (const int number : { -1, 1000 })
+  {
+    EXPECT_EQ(culling.GetCount(static_cast<vtkNBufferVerdict>(number)), 0);
+    EXPECT_EQ(shadows.GetCount(static_cast<vtkShadowVerdict>(number)), 0);
+    EXPECT_EQ(shadows.GetDeviceTime(static_cast<vtkShadowStage>(number)), -1.0);
+  }
+  EXPECT_EQ(culling.GetCount(vtkNBufferVerdict::NumberOfVerdicts), 0);
+  EXPECT_EQ(shadows.GetCount(vtkShadowVerdict::NumberOfVerdicts), 0);
+  EXPECT_EQ(shadows.GetDeviceTime(vtkShadowStage::NumberOfStages), -1.0);
+}
+
 // Hazard: a field is missing in JSON, exchanged with another one, or cut to 32 bits.
 TEST(NBufferStatistics, JSONHoldsEveryField)
 {
