@@ -205,7 +205,9 @@ public:
   ///@}
 
   /// Why a prop was drawn or culled in the last frame of `renderer`; nullptr means the renderer
-  /// that was culled last. Unknown if the prop was not in that frame. Costs one hash look-up.
+  /// that was culled last. Unknown if the prop was not in that frame. (Props are known by their
+  /// addresses: until the next frame a new prop may have the verdict of a deleted one.) Costs one
+  /// hash look-up.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, vtkRenderer* renderer = nullptr) const;
 
   /// The verdict of one part of a prop that is drawn unit by unit (SetDivideProps()): Visible if
@@ -231,7 +233,8 @@ public:
   bool GetVisiblePixels(vtkProp* prop, int pixels[4], vtkRenderer* renderer = nullptr) const;
 
   /// Counts and times of the last frame of `renderer`; nullptr means the renderer that was culled
-  /// last.
+  /// last. A renderer without visible props calls no culler: these stay those of the last frame in
+  /// which it had some.
   const vtkNBufferStatistics& GetStatistics(vtkRenderer* renderer = nullptr) const;
 
   ///@{

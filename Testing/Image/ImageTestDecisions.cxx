@@ -10,8 +10,12 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCuller.h"
 #include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkGL2PSExporter.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
@@ -25,6 +29,16 @@ using Scenes::Wall;
 
 namespace
 {
+/// A culler of an application, which removes nothing.
+class OwnCuller : public vtkCuller
+{
+public:
+  static OwnCuller* New();
+  vtkTypeMacro(OwnCuller, vtkCuller);
+  double Cull(vtkRenderer*, vtkProp**, int& count, int&) override { return count; }
+};
+vtkStandardNewMacro(OwnCuller);
+
 /// Boxes side by side: all visible.
 void BuildNothingHidden(Stage& stage)
 {
@@ -539,4 +553,36 @@ TEST(CullerDecisions, MostlyHiddenUnitsAreNotTimedOnSoftwareRenderers)
   {
     EXPECT_TRUE(DrawsUnits(comparison, i)) << i;
   }
+}
+
+// Hazard: VTK's own culler, which has been moved behind vtkNBufferCuller, gets settings afterwards,
+// or another culler comes behind. Either would see proxies instead of what is held back.
+TEST(CullerDecisions, OtherCullersBehindAreNoticed)
+{
+  ComparisonOptions options;
+  options.StockReference = true;
+  Comparison comparison(Scenes::BuildWall, options);
+  vtkRenderer* renderer = comparison.Culled.GetRenderer();
+  comparison.Frame("default settings");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  comparison.Frame("other settings",
+    [](Stage& stage)
+    {
+      vtkCullerCollection* cullers = stage.GetRenderer()->GetCullers();
+      for (int i = 0; i < cullers->GetNumberOfItems(); ++i)
+      {
+        if (auto* culler = vtkFrustumCoverageCuller::SafeDownCast(cullers->GetItemAsObject(i)))
+        {
+          culler->SetMinimumCoverage(1e-6);
+        }
+      }
+    });
+  EXPECT_EQ(comparison.GetDecision(), Decision::OtherCuller);
+  renderer->RemoveCuller(comparison.Culled.Culler);
+  renderer->AddCuller(comparison.Culled.Culler);
+  comparison.Frame("added again");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  renderer->AddCuller(vtkNew<OwnCuller>());
+  comparison.Frame("another culler");
+  EXPECT_EQ(comparison.GetDecision(), Decision::OtherCuller);
 }
