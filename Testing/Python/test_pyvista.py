@@ -399,6 +399,20 @@ def test_errors():
         plotter.nbuffer.enable()
 
 
+def test_a_renderer_gets_one_culler():
+    plotter = pyvista.Plotter(off_screen=True, shape=(1, 2))
+    culler = vtknbuffer.enable(plotter.renderers[1])
+    assert plotter.nbuffer.enable() is culler
+    assert vtknbuffer.enable(plotter.render_window) is culler
+    for renderer in plotter.renderers:
+        assert vtknbuffer.find_culler(renderer) is culler
+        vtknbuffer.disable(renderer)
+    assert plotter.nbuffer.enable() is culler
+    plotter.nbuffer.disable()
+    assert not any(map(vtknbuffer.find_culler, plotter.renderers))
+    plotter.close()
+
+
 def test_many_actors_cost_no_loop():
     """enable() makes as many calls for 20,000 actors as for none."""
     import sys

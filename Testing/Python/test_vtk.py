@@ -128,6 +128,20 @@ def test_wrong_settings_are_refused_and_change_nothing(settings, error, text):
     assert vtknbuffer.get_settings(culler) == before
 
 
+class One:
+    """A whole number of another library, such as numpy.int64(1)."""
+
+    def __index__(self):
+        return 1
+
+
+@pytest.mark.parametrize("value", [1, "OpenGL", One()])
+def test_names_and_their_numbers_are_settings(value):
+    culler = vtknbuffer.vtkNBufferCuller()
+    vtknbuffer.configure(culler, backend=value)
+    assert vtknbuffer.get_settings(culler)["backend"] == "opengl"
+
+
 @pytest.mark.parametrize("target", [None, 1, "renderer"])
 def test_only_renderers_and_windows_are_enabled(target):
     with pytest.raises(TypeError, match="a vtkRenderer or a vtkRenderWindow is needed"):

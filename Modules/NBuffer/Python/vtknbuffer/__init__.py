@@ -9,6 +9,7 @@ The classes of the C++ module are here under their names, such as ``vtkNBufferCu
 """
 
 import json
+import operator
 
 from . import _backend
 
@@ -67,8 +68,8 @@ def _property_value(name, names, value):
         return bool(value)
     if isinstance(value, str) and value.lower() in names:
         return names.index(value.lower())
-    if isinstance(value, int) and 0 <= value < len(names):
-        return int(value)
+    if hasattr(value, "__index__") and 0 <= operator.index(value) < len(names):
+        return operator.index(value)
     raise ValueError(f"{name} must be one of {', '.join(names)}, not {value!r}")
 
 
@@ -144,9 +145,13 @@ def enable(target, **settings):
     Where a renderer has a culler already, that one is used for all. Returns the culler. Settings
     are those of ``configure()``.
     """
-    renderers = _renderers(target)
+    return _enable(_renderers(target), None, settings)
+
+
+def _enable(renderers, culler, settings):
+    """Do so with this culler, or with one that a renderer has or a new one if it is None."""
     cullers = [find_culler(renderer) for renderer in renderers]
-    culler = next(filter(None, cullers), None) or vtkNBufferCuller()
+    culler = culler or next(filter(None, cullers), None) or vtkNBufferCuller()
     configure(culler, **settings)
     for renderer, found in zip(renderers, cullers):
         if found is None:

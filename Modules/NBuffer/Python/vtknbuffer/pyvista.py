@@ -84,16 +84,10 @@ class NBuffer:
         """Draw only what can be seen, in all subplots. The image stays the same to the bit.
 
         Settings are those of ``vtknbuffer.configure()``; usually there is nothing to set. Calling
-        it again changes the settings only.
+        it again changes the settings only. A subplot that has a culler already gets no other one.
         """
-        renderers = self._renderers()
-        culler = self._culler or vtknbuffer.vtkNBufferCuller()
-        vtknbuffer.configure(culler, **settings)
-        for renderer in renderers:
-            if not renderer.GetCullers().IsItemPresent(culler):
-                renderer.AddCuller(culler)
-        self._culler = culler
-        return culler
+        self._culler = vtknbuffer._enable(self._renderers(), self._culler, settings)
+        return self._culler
 
     def disable(self):
         """Draw everything again. Does nothing if the culler is not enabled."""
