@@ -13,6 +13,8 @@
 #include "vtkCameraPass.h"
 #include "vtkCylinderSource.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -28,7 +30,6 @@
 #include "vtkShadowMapPass.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
-#include "vtkTextureMapToSphere.h"
 #include "vtkTransform.h"
 #include "vtkTransformFilter.h"
 
@@ -258,9 +259,12 @@ TEST_F(PassHoles, TheInsideIsInShadow)
       scene.Look({ 0.0, -6.0, 4.0 }, { 0.0, 0.0, 1.5 });
     });
   vtkActor* sphere = GetActors(stage.GetRenderer())[0];
-  vtkNew<vtkTextureMapToSphere> coordinates;
-  coordinates->SetInputDataObject(sphere->GetMapper()->GetInputDataObject(0, 0));
-  sphere->GetMapper()->SetInputConnection(coordinates->GetOutputPort());
+  auto* mesh = vtkDataSet::SafeDownCast(sphere->GetMapper()->GetInputDataObject(0, 0));
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  coordinates->Fill(0.5);
+  mesh->GetPointData()->SetTCoords(coordinates);
   vtkNew<vtkImageData> clear;
   clear->SetDimensions(2, 2, 1);
   clear->AllocateScalars(VTK_UNSIGNED_CHAR, 4);

@@ -262,6 +262,11 @@ TEST(ShadowVolume, InsideOutBodiesAreTurnedRound)
     const ShadowMesh outwards = Join("two bodies", { cube, inner });
     ASSERT_NO_FATAL_FAILURE(CheckVolumes(mesh.Move(motion), outwards.Move(motion), light,
       vtkShadowCounting::Away, random, 12, shadowed));
+    const ShadowMesh neighbour = MakeCube().Translate(-0.7, 1, 1);
+    const ShadowMesh touching = Join("two bodies at an edge", { cube, neighbour.Reverse() });
+    ASSERT_NO_FATAL_FAILURE(
+      CheckVolumes(touching.Move(motion), Join("", { cube, neighbour }).Move(motion), light,
+        vtkShadowCounting::Away, random, 12, shadowed));
   }
   EXPECT_GT(shadowed, 500);
 }
