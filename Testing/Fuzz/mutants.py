@@ -47,7 +47,8 @@ MUTANTS = {
                         (BOX_ERROR, "LargestSnap = 1.0 / 16;", "LargestSnap = 0.0;")],
     "no slack for rounded vertices": NO_VERTEX_SLACK,
     "vertices believed to be near the buffer's zero": [
-        (SURFACE, "IsShifted(plain, low, high);", "(IsShifted(plain, low, high) || true);")],
+        ("vtkNBufferVertexCoordinates.cxx", "return IsShifted(mapper, low, high)",
+         "return (IsShifted(mapper, low, high) || true)")],
     "no margin for wide lines and points": [
         (CANDIDATE, "this->Box.Margin = vtkNBufferSurface::GetMargin(actor);",
          "this->Box.Margin = 0.0;")],

@@ -85,8 +85,8 @@ public:
   const std::vector<Use>& GetUses() const { return this->Uses; }
 
   /// For each triangle the number of its component, from 0. Triangles that share an edge are in one
-  /// component, except where those on one side of an edge are closed without the others: bodies that
-  /// touch in an edge are components of their own, as they may be wound differently.
+  /// component, except where those on one side of an edge are closed without the others: bodies
+  /// that touch in an edge are components of their own, as they may be wound differently.
   const std::vector<int>& GetComponents() const { return this->Components; }
   int GetNumberOfComponents() const { return this->NumberOfComponents; }
 
