@@ -574,15 +574,16 @@ TEST(ShadowPlan, CapsInTheirOwnSurfaceArePushed)
 {
   Situation closed(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } });
   closed.Decide(vtkShadowMode::Scissored);
-  EXPECT_EQ(closed.Draws.at(0).NumberOfPushedIndices, 3 * 2) << "the bottom";
+  EXPECT_EQ(closed.Draws.at(0).NumberOfCapIndices, 3 * 2) << "the bottom";
+  EXPECT_FALSE(closed.Draws.at(0).Offset);
   EXPECT_EQ(closed.Draws.at(0).MaximumCount, 1);
   closed.Decide(vtkShadowMode::Clamped);
-  EXPECT_EQ(closed.Draws.at(0).NumberOfPushedIndices, 0) << "begins below the caster";
+  EXPECT_EQ(closed.Draws.at(0).NumberOfCapIndices, 0) << "begins below the caster";
   Situation open(MakeLightAbove(), MakeOpenCube(), { { 0.0, 0.0, -3.0 } });
   open.Decide(vtkShadowMode::Scissored);
-  EXPECT_EQ(open.Draws.at(0).NumberOfPushedIndices, open.Draws.at(0).NumberOfIndices);
+  EXPECT_TRUE(open.Draws.at(0).Offset);
   open.Decide(vtkShadowMode::Clamped);
-  EXPECT_EQ(open.Draws.at(0).NumberOfPushedIndices, 0) << "begins below the caster";
+  EXPECT_FALSE(open.Draws.at(0).Offset) << "begins below the caster";
   open.Decide(vtkShadowMode::Unclamped);
-  EXPECT_EQ(open.Draws.at(0).NumberOfPushedIndices, open.Draws.at(0).NumberOfIndices);
+  EXPECT_TRUE(open.Draws.at(0).Offset);
 }

@@ -42,7 +42,7 @@ constexpr GLenum CounterCapabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_CO
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
 
-/// A range of indices.
+/// Triangles of a draw that are drawn in the same way.
 struct Range
 {
   const void* GetPlace() const
@@ -52,14 +52,17 @@ struct Range
 
   int First;
   int Count;
+  bool Offset;           ///< Whether the polygon offset is on.
+  float Rounding = 0.0f; ///< vtkShadowDraw::Rounding if it is for these triangles.
 };
 
-/// The triangles of a draw that are pushed, or the others.
-Range GetRange(const vtkShadowDraw& draw, bool pushed)
+/// The near cap of a draw, and the rest, or all at once if both are drawn in the same way.
+std::array<Range, 2> GetRanges(const vtkShadowDraw& draw)
 {
-  const int first = draw.NumberOfPushedIndices;
-  return pushed ? Range{ draw.FirstIndex, first }
-                : Range{ draw.FirstIndex + first, draw.NumberOfIndices - first };
+  const int cap =
+    draw.Offset && draw.Rounding == 0.0f ? draw.NumberOfIndices : draw.NumberOfCapIndices;
+  return { Range{ draw.FirstIndex, cap, true, draw.Rounding },
+    Range{ draw.FirstIndex + cap, draw.NumberOfIndices - cap, draw.Offset } };
 }
 
 void SetBox(const vtkNBufferRectangle& box, const int viewport[4])
@@ -233,47 +236,50 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   const vtkNBufferRectangle everywhere = { 0, 0, view.Viewport[2], view.Viewport[3] };
   // How far z / w changes, times w, if z and w are those of a point that is off by a unit.
   const auto pushOfUnit = static_cast<float>(GetLengthOfRow(view, 2) + GetLengthOfRow(view, 3));
-  std::set<float> roundings;
+  std::set<float> roundings = { 0.0f };
   for (const vtkShadowDraw* draw = first; draw != last; ++draw)
   {
     roundings.insert(draw->Rounding);
   }
-  const auto setState = [&](bool counting, bool zPass, bool pushed, float rounding)
+  const auto setState = [&](bool counting, bool zPass, bool offset, float rounding)
   {
     this->SetDirection(zPass);
     if (!counting)
     {
       glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     }
-    this->VolumeProgram->SetUniformf("push", pushed ? rounding * pushOfUnit : 0.0f);
+    this->VolumeProgram->SetUniformf("push", rounding * pushOfUnit);
     if (isOffsetByShader)
     {
-      this->VolumeProgram->SetUniformf("factor", pushed ? OffsetFactor : 0.0f);
-      this->VolumeProgram->SetUniformf("bias", pushed ? OffsetByShader : 0.0f);
+      this->VolumeProgram->SetUniformf("factor", offset ? OffsetFactor : 0.0f);
+      this->VolumeProgram->SetUniformf("bias", offset ? OffsetByShader : 0.0f);
     }
     else
     {
-      (pushed ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+      (offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
     }
   };
-  const auto draw = [&](bool zPass, bool pushed, float rounding)
+  const auto draw = [&](bool zPass, bool offset, float rounding)
   {
     Batch batch; // what is drawn into the whole viewport
     for (const vtkShadowDraw* i = first; i != last; ++i)
     {
-      const Range range = GetRange(*i, pushed);
-      if (i->ZPass != zPass || i->Rounding != rounding || range.Count == 0)
+      for (const Range& range : GetRanges(*i))
       {
-        continue;
-      }
-      if (i->Box == everywhere)
-      {
-        batch.Add(range);
-      }
-      else
-      {
-        SetBox(i->Box, view.Viewport);
-        DrawRange(range);
+        if (i->ZPass != zPass || range.Offset != offset || range.Rounding != rounding ||
+          range.Count == 0)
+        {
+          continue;
+        }
+        if (i->Box == everywhere)
+        {
+          batch.Add(range);
+        }
+        else
+        {
+          SetBox(i->Box, view.Viewport);
+          DrawRange(range);
+        }
       }
     }
     SetBox(everywhere, view.Viewport);
@@ -283,12 +289,12 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   {
     for (const bool zPass : { false, true })
     {
-      for (const bool pushed : { false, true })
+      for (const bool offset : { false, true })
       {
         for (const float rounding : roundings)
         {
-          setState(counting, zPass, pushed, rounding);
-          draw(zPass, pushed, rounding);
+          setState(counting, zPass, offset, rounding);
+          draw(zPass, offset, rounding);
         }
       }
     }
@@ -332,7 +338,7 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const vtkShadowVolume
     this->TintProgram->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
     (draw.ZPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
     SetBox(draw.Box, view.Viewport);
-    DrawRange({ draw.FirstIndex, draw.NumberOfIndices });
+    DrawRange({ draw.FirstIndex, draw.NumberOfIndices, false });
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_CLAMP);

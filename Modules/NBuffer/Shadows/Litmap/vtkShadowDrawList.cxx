@@ -89,9 +89,8 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
   draw.MaximumCount = caster.Silhouette.GetMaximumCount();
   if (isNearCapItsOwn)
   {
-    draw.NumberOfPushedIndices = caster.Silhouette.GetCounting() == vtkShadowCounting::All
-      ? draw.NumberOfIndices
-      : static_cast<int>(caster.Silhouette.GetTriangles().size());
+    draw.NumberOfCapIndices = static_cast<int>(caster.Silhouette.GetTriangles().size());
+    draw.Offset = caster.Silhouette.GetCounting() == vtkShadowCounting::All;
     draw.Rounding = caster.Rounding > 0.0
       ? static_cast<float>(std::exp2(std::ceil(std::log2(caster.Rounding))))
       : 0.0f;

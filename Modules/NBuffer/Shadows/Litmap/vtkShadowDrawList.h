@@ -63,14 +63,14 @@ struct vtkShadowDraw
   bool ZPass = false;      ///< True for z-pass, false for z-fail.
   vtkNBufferRectangle Box; ///< The pixels of the viewport to draw into.
   int MaximumCount = 0;    ///< The largest stencil count that a receiver can get from it.
-  ///@{
-  /// How many of its indices, the first ones, are of triangles that are pushed away from the eye,
-  /// because the near cap lies in the caster's own surface (vtkShadowCounter.h). Rounding adds to
-  /// that: it is vtkShadowPart::Rounding, rounded up to a power of two so that there are few
-  /// values.
-  int NumberOfPushedIndices = 0;
+  /// How many of its indices, the first ones, are those of a near cap in the caster's own surface,
+  /// which is pushed away from the eye (vtkShadowCounter.h).
+  int NumberOfCapIndices = 0;
+  /// By how much it is pushed in addition: vtkShadowPart::Rounding, rounded up to a power of two so
+  /// that there are few values.
   float Rounding = 0.0f;
-  ///@}
+  /// Whether the other triangles are offset as the cap is.
+  bool Offset = false;
   /// True if it draws the triangles of the draw before it in another box. Both count as one draw.
   bool Again = false;
 };
