@@ -569,21 +569,20 @@ TEST(ShadowPlan, PositionalVolumesOfParallelCamerasAreFinite)
   }
 }
 
-// Near caps that lie in the caster's own surface are pushed; of open meshes the sides as well.
-TEST(ShadowPlan, CapsInTheirOwnSurfaceArePushed)
+// Near caps that lie in the caster's own surface are offset; of open meshes the sides as well.
+TEST(ShadowPlan, CapsInTheirOwnSurfaceAreOffset)
 {
   Situation closed(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } });
   closed.Decide(vtkShadowMode::Scissored);
-  EXPECT_EQ(closed.Draws.at(0).NumberOfCapIndices, 3 * 2) << "the bottom";
-  EXPECT_FALSE(closed.Draws.at(0).Offset);
+  EXPECT_EQ(closed.Draws.at(0).NumberOfOffsetIndices, 3 * 2) << "the bottom";
   EXPECT_EQ(closed.Draws.at(0).MaximumCount, 1);
   closed.Decide(vtkShadowMode::Clamped);
-  EXPECT_EQ(closed.Draws.at(0).NumberOfCapIndices, 0) << "begins below the caster";
+  EXPECT_EQ(closed.Draws.at(0).NumberOfOffsetIndices, 0) << "begins below the caster";
   Situation open(MakeLightAbove(), MakeOpenCube(), { { 0.0, 0.0, -3.0 } });
   open.Decide(vtkShadowMode::Scissored);
-  EXPECT_TRUE(open.Draws.at(0).Offset);
+  EXPECT_EQ(open.Draws.at(0).NumberOfOffsetIndices, open.Draws.at(0).NumberOfIndices);
   open.Decide(vtkShadowMode::Clamped);
-  EXPECT_FALSE(open.Draws.at(0).Offset) << "begins below the caster";
+  EXPECT_EQ(open.Draws.at(0).NumberOfOffsetIndices, 0) << "begins below the caster";
   open.Decide(vtkShadowMode::Unclamped);
-  EXPECT_TRUE(open.Draws.at(0).Offset);
+  EXPECT_EQ(open.Draws.at(0).NumberOfOffsetIndices, open.Draws.at(0).NumberOfIndices);
 }

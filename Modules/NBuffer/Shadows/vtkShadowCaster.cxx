@@ -7,6 +7,7 @@
 #include "vtkNBufferSurface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <type_traits>
 
@@ -131,7 +132,7 @@ void vtkShadowCaster::SetRounding(const glm::dvec3& m, const std::optional<doubl
   }
   const double rounding = (moved ? 20.0 : 10.0) * 0x1p-24 * largest;
   const double size = glm::length(this->Bounds.High - this->Bounds.Low);
-  this->Rounding = rounding > 0x1p-17 * size ? rounding : 0.0;
+  this->Rounding = std::isfinite(rounding) && rounding > 0x1p-17 * size ? rounding : 0.0;
   for (Slot& slot : this->Slots)
   {
     for (vtkShadowPart& part : slot.Parts)

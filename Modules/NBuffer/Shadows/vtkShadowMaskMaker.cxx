@@ -127,6 +127,7 @@ vtkShadowView vtkShadowMaskMaker::GetReceiverView(const Work& work) const
   vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
   view.LightingMargin = work.Frame.Casters.GetLightingMargin();
+  view.Push = work.Camera.Plan.GetPush(work.Frame.Casters.GetLargestRounding());
   return view;
 }
 

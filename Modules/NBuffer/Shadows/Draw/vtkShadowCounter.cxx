@@ -15,7 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <set>
+#include <map>
+#include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -42,7 +43,7 @@ constexpr GLenum CounterCapabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_CO
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
 
-/// Triangles of a draw that are drawn in the same way.
+/// A range of indices.
 struct Range
 {
   const void* GetPlace() const
@@ -52,18 +53,7 @@ struct Range
 
   int First;
   int Count;
-  bool Offset;           ///< Whether the polygon offset is on.
-  float Rounding = 0.0f; ///< vtkShadowDraw::Rounding if it is for these triangles.
 };
-
-/// The near cap of a draw, and the rest, or all at once if both are drawn in the same way.
-std::array<Range, 2> GetRanges(const vtkShadowDraw& draw)
-{
-  const int cap =
-    draw.Offset && draw.Rounding == 0.0f ? draw.NumberOfIndices : draw.NumberOfCapIndices;
-  return { Range{ draw.FirstIndex, cap, true, draw.Rounding },
-    Range{ draw.FirstIndex + cap, draw.NumberOfIndices - cap, draw.Offset } };
-}
 
 void SetBox(const vtkNBufferRectangle& box, const int viewport[4])
 {
@@ -75,11 +65,47 @@ void DrawRange(const Range& range)
   glDrawElements(GL_TRIANGLES, range.Count, GL_UNSIGNED_INT, range.GetPlace());
 }
 
-/// The length of the part of a row of the matrix from the eye to clip coordinates that is
-/// multiplied with x, y and z.
-double GetLengthOfRow(const vtkShadowDrawList::View& view, int row)
+/// How triangles are drawn.
+struct Way
 {
-  return glm::length(glm::dvec3(glm::row(view.EyeToClip, row)));
+  bool operator<(const Way& other) const
+  {
+    return std::tie(this->ZPass, this->Offset, this->Rounding) <
+      std::tie(other.ZPass, other.Offset, other.Rounding);
+  }
+
+  bool ZPass;
+  bool Offset;    ///< Whether the polygon offset is on.
+  float Rounding; ///< For how much rounding they are pushed in addition.
+};
+
+/// Triangles, and where they are drawn.
+struct Piece
+{
+  Range Triangles;
+  vtkNBufferRectangle Box;
+};
+
+/// The draws by the ways in which they are drawn.
+std::map<Way, std::vector<Piece>> GetPieces(const vtkShadowDraw* first, const vtkShadowDraw* last)
+{
+  std::map<Way, std::vector<Piece>> pieces;
+  for (const vtkShadowDraw* draw = first; draw != last; ++draw)
+  {
+    const int offset = draw->NumberOfOffsetIndices;
+    const Range ranges[] = { { draw->FirstIndex, offset },
+      { draw->FirstIndex + offset, draw->NumberOfIndices - offset } };
+    const Way ways[] = { { draw->ZPass, true, draw->Rounding },
+      { draw->ZPass, false, draw->Rounding } };
+    for (int i = 0; i < 2; ++i)
+    {
+      if (ranges[i].Count > 0)
+      {
+        pieces[ways[i]].push_back({ ranges[i], draw->Box });
+      }
+    }
+  }
+  return pieces;
 }
 
 /// Draws into the same box with the same OpenGL state, which one call draws. Counts in the stencil
@@ -234,69 +260,45 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(vtkNBufferDepthConvention::PassIfNearer);
   const vtkNBufferRectangle everywhere = { 0, 0, view.Viewport[2], view.Viewport[3] };
-  // How far z / w changes, times w, if z and w are those of a point that is off by a unit.
-  const auto pushOfUnit = static_cast<float>(GetLengthOfRow(view, 2) + GetLengthOfRow(view, 3));
-  std::set<float> roundings = { 0.0f };
-  for (const vtkShadowDraw* draw = first; draw != last; ++draw)
+  const std::map<Way, std::vector<Piece>> pieces = GetPieces(first, last);
+  const auto setState = [&](bool counting, const Way& way)
   {
-    roundings.insert(draw->Rounding);
-  }
-  const auto setState = [&](bool counting, bool zPass, bool offset, float rounding)
-  {
-    this->SetDirection(zPass);
+    this->SetDirection(way.ZPass);
     if (!counting)
     {
       glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     }
-    this->VolumeProgram->SetUniformf("push", rounding * pushOfUnit);
+    this->VolumeProgram->SetUniformf("push", static_cast<float>(view.GetPush(way.Rounding / 2.0)));
     if (isOffsetByShader)
     {
-      this->VolumeProgram->SetUniformf("factor", offset ? OffsetFactor : 0.0f);
-      this->VolumeProgram->SetUniformf("bias", offset ? OffsetByShader : 0.0f);
+      this->VolumeProgram->SetUniformf("factor", way.Offset ? OffsetFactor : 0.0f);
+      this->VolumeProgram->SetUniformf("bias", way.Offset ? OffsetByShader : 0.0f);
     }
     else
     {
-      (offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+      (way.Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
     }
-  };
-  const auto draw = [&](bool zPass, bool offset, float rounding)
-  {
-    Batch batch; // what is drawn into the whole viewport
-    for (const vtkShadowDraw* i = first; i != last; ++i)
-    {
-      for (const Range& range : GetRanges(*i))
-      {
-        if (i->ZPass != zPass || range.Offset != offset || range.Rounding != rounding ||
-          range.Count == 0)
-        {
-          continue;
-        }
-        if (i->Box == everywhere)
-        {
-          batch.Add(range);
-        }
-        else
-        {
-          SetBox(i->Box, view.Viewport);
-          DrawRange(range);
-        }
-      }
-    }
-    SetBox(everywhere, view.Viewport);
-    batch.Draw();
   };
   const auto drawAll = [&](bool counting)
   {
-    for (const bool zPass : { false, true })
+    for (const auto& [way, ofWay] : pieces)
     {
-      for (const bool offset : { false, true })
+      setState(counting, way);
+      Batch batch; // what is drawn into the whole viewport
+      for (const Piece& piece : ofWay)
       {
-        for (const float rounding : roundings)
+        if (piece.Box == everywhere)
         {
-          setState(counting, zPass, offset, rounding);
-          draw(zPass, offset, rounding);
+          batch.Add(piece.Triangles);
+        }
+        else
+        {
+          SetBox(piece.Box, view.Viewport);
+          DrawRange(piece.Triangles);
         }
       }
+      SetBox(everywhere, view.Viewport);
+      batch.Draw();
     }
   };
   drawAll(true);
@@ -338,7 +340,7 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const vtkShadowVolume
     this->TintProgram->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
     (draw.ZPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
     SetBox(draw.Box, view.Viewport);
-    DrawRange({ draw.FirstIndex, draw.NumberOfIndices, false });
+    DrawRange({ draw.FirstIndex, draw.NumberOfIndices });
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_CLAMP);

@@ -31,9 +31,8 @@
  *
  * A caster that is small compared with its distance from the origin of its coordinates is drawn
  * farther off its place (vtkShadowCaster.h). Its z and w are rounded independently of each other,
- * so that the error of its depth z / w is the sum of both, divided by w. Its near cap is pushed by
- * as much. Its sides are not: that would move the edges of its shadow out of the boxes of pixels
- * that are drawn. So samples at the outline of such a surface may still be in its own shadow.
+ * so that the error of its depth z / w is the sum of both, divided by w. With All, its volume is
+ * pushed by as much, and litmaps know of that (vtkShadowReceiverProjector.h).
  *
  * Where the device offsets corners instead of fragments, which bends triangles
  * (vtkNBufferGL::OffsetsBeyondFarPlane), the fragment shader offsets the triangles. It adds four

@@ -87,13 +87,15 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
   }
   this->Triangles += draw.NumberOfIndices / 3;
   draw.MaximumCount = caster.Silhouette.GetMaximumCount();
+  const bool isAll = caster.Silhouette.GetCounting() == vtkShadowCounting::All;
   if (isNearCapItsOwn)
   {
-    draw.NumberOfCapIndices = static_cast<int>(caster.Silhouette.GetTriangles().size());
-    draw.Offset = caster.Silhouette.GetCounting() == vtkShadowCounting::All;
-    draw.Rounding = caster.Rounding > 0.0
-      ? static_cast<float>(std::exp2(std::ceil(std::log2(caster.Rounding))))
-      : 0.0f;
+    draw.NumberOfOffsetIndices =
+      isAll ? draw.NumberOfIndices : static_cast<int>(caster.Silhouette.GetTriangles().size());
+  }
+  if (isAll && caster.Rounding > 0.0)
+  {
+    draw.Rounding = static_cast<float>(std::exp2(std::ceil(std::log2(caster.Rounding))));
   }
   draw.ZPass = this->IsBeyondNearPlane(piece);
   draw.Box = { 0, 0, this->Camera.Viewport[2], this->Camera.Viewport[3] };

@@ -63,14 +63,12 @@ struct vtkShadowDraw
   bool ZPass = false;      ///< True for z-pass, false for z-fail.
   vtkNBufferRectangle Box; ///< The pixels of the viewport to draw into.
   int MaximumCount = 0;    ///< The largest stencil count that a receiver can get from it.
-  /// How many of its indices, the first ones, are those of a near cap in the caster's own surface,
-  /// which is pushed away from the eye (vtkShadowCounter.h).
-  int NumberOfCapIndices = 0;
-  /// By how much it is pushed in addition: vtkShadowPart::Rounding, rounded up to a power of two so
-  /// that there are few values.
+  /// How many of its indices, the first ones, are of triangles that are offset away from the eye,
+  /// because the near cap lies in the caster's own surface (vtkShadowCounter.h).
+  int NumberOfOffsetIndices = 0;
+  /// For how much rounding all triangles are pushed in addition: vtkShadowPart::Rounding, rounded
+  /// up to a power of two so that there are few values.
   float Rounding = 0.0f;
-  /// Whether the other triangles are offset as the cap is.
-  bool Offset = false;
   /// True if it draws the triangles of the draw before it in another box. Both count as one draw.
   bool Again = false;
 };
@@ -87,6 +85,15 @@ public:
     glm::dvec4 ToEye(const glm::dvec4& vertex) const
     {
       return vertex - glm::dvec4(vertex.w * this->Eye, 0.0);
+    }
+
+    /// How far a volume is pushed for a rounding, or for less than that: the change of z / w, times
+    /// w, if z and w are those of a point that is off by twice as much.
+    double GetPush(double rounding) const
+    {
+      const auto getLength = [this](int row)
+      { return glm::length(glm::dvec3(glm::row(this->EyeToClip, row))); };
+      return 2.0 * rounding * (getLength(2) + getLength(3));
     }
 
     glm::dvec3 Eye = { 0.0, 0.0, 0.0 };     ///< The camera's position in the world.

@@ -65,6 +65,7 @@ vtkShadowReceiverProjector::vtkShadowReceiverProjector(
   : Kind(light.Kind)
   , Size(view.Width, view.Height)
   , DepthError(3.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))
+  , Push(view.Push)
   , ConeCosine(light.GetConeCosine())
   , LightingMargin(view.LightingMargin)
   , WorldError(WorldRounding * (GetLength1(view.Origin) + GetLength1(space.GetApex())))
@@ -127,7 +128,7 @@ double vtkShadowReceiverProjector::GetShaderError(double distance) const
 
 vtkShadowConeReach vtkShadowReceiverProjector::GetConeReach() const
 {
-  if (this->ByCentre)
+  if (this->ByCentre || this->Push > 0.0)
   {
     return {};
   }
@@ -231,7 +232,8 @@ std::optional<vtkShadowReceiverProjector::Receiver> vtkShadowReceiverProjector::
 {
   const glm::dvec4 start = this->Row + this->Matrix[0] * static_cast<double>(x);
   const glm::dvec4& along = this->Matrix[2];
-  const double nearest = std::max(depth - this->DepthError, 0.0);
+  const double inverseW = std::abs(start[3] + along[3] * depth);
+  const double nearest = std::max(depth - this->DepthError - 0.5 * this->Push * inverseW, 0.0);
   const double farthest = std::min(depth + this->DepthError, 1.0);
   const double scaleA = 1.0 / (start[3] + along[3] * nearest);
   const double scaleB = 1.0 / (start[3] + along[3] * farthest);

@@ -26,6 +26,10 @@
  * distance between near and far plane is small compared with their distance from the eye, the last
  * error is larger. But then a quantum is so short a length that the radius below covers it.)
  *
+ * Volumes of casters far from the origin of their coordinates are pushed away from the eye
+ * (vtkShadowCounter.h), which has the same effect as moving the receivers towards the eye. The
+ * interval begins nearer to the eye by the largest push.
+ *
  * ## The radius around it
  *
  * In all directions the interval is widened by two rounding errors: that of a position, 2^-20 of
@@ -96,6 +100,9 @@ struct vtkShadowView
   /// on it. Infinity stands for any place.
   double LightingMargin = 0.0;
 
+  /// The largest distance that volumes are pushed (vtkShadowDrawList::View::GetPush()).
+  double Push = 0.0;
+
   /// The places of the samples in a pixel, in [0, 1] from its lower left corner.
   std::vector<std::array<double, 2>> Samples = { { { 0.5, 0.5 } } };
 };
@@ -155,6 +162,7 @@ private:
   vtkShadowLightKind Kind;
   glm::dvec2 Size;   ///< The width and height of the image.
   double DepthError; ///< The largest error of a window depth.
+  double Push;       ///< vtkShadowView::Push.
   double Limit = std::numeric_limits<double>::infinity();
   double ConeCosine;          ///< vtkShadowLight::GetConeCosine().
   double LightingMargin;      ///< vtkShadowView::LightingMargin.
