@@ -79,7 +79,6 @@ public:
   /// glyph `moved` is how far its place is from that of the actor; the matrix of the instance
   /// rounds its vertices, too.
   void SetRounding(const glm::dvec3& m, const std::optional<double>& moved);
-  double GetRounding() const { return this->Rounding; }
 
   /// Sets whether the inside of the caster may be seen from everywhere, because its front faces are
   /// not drawn, or have holes. All triangles count then.

@@ -178,16 +178,6 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   }
 }
 
-double vtkShadowCasterList::GetLargestRounding() const
-{
-  double largest = 0.0;
-  for (const vtkShadowCaster* caster : this->Casters)
-  {
-    largest = std::max(largest, caster->GetRounding());
-  }
-  return largest;
-}
-
 bool vtkShadowCasterList::ReadProp(vtkProp* prop, Member& member)
 {
   const int updatesBefore = this->Updates;

@@ -60,9 +60,6 @@ public:
   /// if there are visible props that are neither actors nor 2D actors.
   double GetLightingMargin() const { return this->LightingMargin; }
 
-  /// The largest rounding of all casters (vtkShadowCaster.h), in world units.
-  double GetLargestRounding() const;
-
   /// The number of casters whose mesh, matrix or planes the last Update() found changed.
   int GetNumberOfUpdates() const { return this->Updates; }
 

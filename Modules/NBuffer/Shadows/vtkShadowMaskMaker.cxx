@@ -127,7 +127,7 @@ vtkShadowView vtkShadowMaskMaker::GetReceiverView(const Work& work) const
   vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
   view.LightingMargin = work.Frame.Casters.GetLightingMargin();
-  view.Push = work.Camera.Plan.GetPush(work.Frame.Casters.GetLargestRounding());
+  view.Push = work.Camera.Plan.GetPush(this->Parts);
   return view;
 }
 
@@ -320,12 +320,12 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
 {
   vtkNBufferClock clock;
   const vtkShadowLight& light = work.GetLight();
+  this->FindParts(work);
   const vtkShadowPlan::View view = this->GetWholeView(work);
   std::vector<vtkShadowLightSpace> spaces; // of litmaps
   vtkShadowPlan* plan = nullptr;
   std::optional<vtkShadowPlan> planByLitmaps;
   const bool automatic = work.Settings.Mode == vtkShadowMode::Automatic;
-  this->FindParts(work);
   vtkShadowVolumeStore& store = work.LightVolumes.Store;
   store.BeginFrame();
   bool isWhole = work.Settings.Mode == vtkShadowMode::Unclamped;

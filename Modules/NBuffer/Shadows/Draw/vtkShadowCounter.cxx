@@ -268,7 +268,7 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
     {
       glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     }
-    this->VolumeProgram->SetUniformf("push", static_cast<float>(view.GetPush(way.Rounding / 2.0)));
+    this->VolumeProgram->SetUniformf("push", static_cast<float>(view.GetPush(way.Rounding)));
     if (isOffsetByShader)
     {
       this->VolumeProgram->SetUniformf("factor", way.Offset ? OffsetFactor : 0.0f);

@@ -75,6 +75,12 @@ struct vtkShadowPart
     vtkNBufferForEachProp::Fetch(&this->Silhouette);
   }
 
+  /// The rounding for which its volume is pushed (vtkShadowCounter.h).
+  double GetPushedRounding() const
+  {
+    return this->Silhouette.GetCounting() == vtkShadowCounting::All ? this->Rounding : 0.0;
+  }
+
   vtkShadowFootprint Footprint;   ///< The footprint of the triangles that count.
   vtkShadowSilhouette Silhouette; ///< The triangles that count, and their outline.
   ///@{

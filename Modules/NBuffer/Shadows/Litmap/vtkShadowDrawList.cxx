@@ -93,7 +93,7 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
     draw.NumberOfOffsetIndices =
       isAll ? draw.NumberOfIndices : static_cast<int>(caster.Silhouette.GetTriangles().size());
   }
-  if (isAll && caster.Rounding > 0.0)
+  if (caster.GetPushedRounding() > 0.0)
   {
     draw.Rounding = static_cast<float>(std::exp2(std::ceil(std::log2(caster.Rounding))));
   }

@@ -50,6 +50,7 @@
 #include "vtkShadowSilhouette.h"
 #include "vtkShadowVolumeStore.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -87,13 +88,24 @@ public:
       return vertex - glm::dvec4(vertex.w * this->Eye, 0.0);
     }
 
-    /// How far a volume is pushed for a rounding, or for less than that: the change of z / w, times
-    /// w, if z and w are those of a point that is off by twice as much.
+    /// How far a volume is pushed for a rounding: the change of z / w, times w, if z and w are
+    /// those of a point that is off by so much.
     double GetPush(double rounding) const
     {
       const auto getLength = [this](int row)
       { return glm::length(glm::dvec3(glm::row(this->EyeToClip, row))); };
-      return 2.0 * rounding * (getLength(2) + getLength(3));
+      return rounding * (getLength(2) + getLength(3));
+    }
+
+    /// The largest push of the volumes of parts, whose rounding is rounded up.
+    double GetPush(const std::vector<const vtkShadowPart*>& parts) const
+    {
+      double largest = 0.0;
+      for (const vtkShadowPart* part : parts)
+      {
+        largest = std::max(largest, part->GetPushedRounding());
+      }
+      return this->GetPush(2.0 * largest);
     }
 
     glm::dvec3 Eye = { 0.0, 0.0, 0.0 };     ///< The camera's position in the world.
