@@ -97,6 +97,7 @@ TEST(ShadowConeReach, NoReceiverIsFartherFromTheCone)
     view.Height = 120;
     view.Origin = MakePoint(random, MakeMagnitude(random, 0.0, 6.0));
     view.LightingMargin = i % 3 == 0 ? 1.5 : 0.0;
+    view.Push = i % 5 == 0 ? MakeMagnitude(random, -3.0, -0.5) * (isParallel ? 1.0 : near) : 0.0;
     view.ClipToWorld = vtkNBufferGLM::Invert(vtkNBufferGLM::ToMatrix(
       camera->GetCompositeProjectionTransformMatrix(4.0 / 3.0, -1.0, 1.0)->GetData()));
     vtkShadowLight light;

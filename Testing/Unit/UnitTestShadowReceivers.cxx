@@ -5,6 +5,7 @@
 #include "SameLitmaps.h"
 #include "ShadowCaster.h"
 
+#include "vtkShadowReceiverProjector.h"
 #include "vtkShadowReceivers.h"
 
 #include "vtkCamera.h"
@@ -457,6 +458,53 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
     more += found - near;
   }
   EXPECT_GT(more, 20);
+}
+
+// A volume that is pushed away from the eye covers receivers as if they were nearer to the eye,
+// also before the near plane. The interval of the receiver begins where such a volume may be.
+TEST(ShadowReceiversOnce, PushedVolumesMeetNearerReceivers)
+{
+  int beforeNearPlane = 0;
+  for (const bool parallel : { false, true })
+  {
+    Maker maker(Camera{ parallel, 10.0, 100.0, { 5.0, -7.0, 3.0 } }, 40, 30, 70);
+    vtkShadowView& view = maker.Made.View;
+    view.Push = parallel ? 0.5 : 8.0; // in clip coordinates; 0.5 are 22.5 units
+    vtkShadowLight light;
+    light.Direction = glm::normalize(Point(1.0, 2.0, -3.0));
+    const vtkShadowLightSpace space(light);
+    vtkShadowReceiverProjector projector(view, light, space);
+    const glm::dmat4 worldToClip = glm::inverse(view.ClipToWorld);
+    for (int i = 0; i < 2000; ++i)
+    {
+      // A point of the volume, in front of the eye.
+      const double z = maker.Number(1.0) * (parallel ? 2.0 : 1.0);
+      glm::dvec4 point =
+        view.ClipToWorld * glm::dvec4(maker.Number(1.0), maker.Number(1.0), z, 1.0);
+      point /= point.w;
+      glm::dvec3 relative(point);
+      relative *= parallel ? 1.0 : 0.3 + 0.7 * std::abs(maker.Number(1.0));
+      const glm::dvec4 clip = worldToClip * glm::dvec4(relative, 1.0);
+      const double depth = 0.5 * (clip.z + view.Push) / clip.w + 0.5;
+      if (depth < 1e-3 || depth > 0.999)
+      {
+        continue;
+      }
+      beforeNearPlane += clip.z < -clip.w;
+      const double x = 0.5 * (clip.x / clip.w + 1.0) * view.Width;
+      const double y = 0.5 * (clip.y / clip.w + 1.0) * view.Height;
+      projector.SetRow({ x - std::floor(x), y - std::floor(y) }, static_cast<int>(y));
+      const auto receiver = projector.Project(static_cast<int>(x), depth);
+      ASSERT_TRUE(receiver);
+      const glm::dvec3 pqs = space.ToLight(view.Origin + relative);
+      const vtkShadowBlock interval = { glm::min(receiver->A, receiver->B) - receiver->GetRadii(),
+        glm::max(receiver->A, receiver->B) + receiver->GetRadii() };
+      EXPECT_TRUE(IsInside(interval, pqs));
+      // A quarter of a pixel, and rounding.
+      EXPECT_LT(glm::distance(receiver->A, pqs), parallel ? 0.51 : 0.02 * clip.w);
+    }
+  }
+  EXPECT_GT(beforeNearPlane, 100);
 }
 
 // It is not enough to be conservative: the extent around a single receiver is tight.

@@ -65,7 +65,6 @@ vtkShadowReceiverProjector::vtkShadowReceiverProjector(
   : Kind(light.Kind)
   , Size(view.Width, view.Height)
   , DepthError(3.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))
-  , Push(view.Push)
   , ConeCosine(light.GetConeCosine())
   , LightingMargin(view.LightingMargin)
   , WorldError(WorldRounding * (GetLength1(view.Origin) + GetLength1(space.GetApex())))
@@ -88,6 +87,10 @@ vtkShadowReceiverProjector::vtkShadowReceiverProjector(
   this->Matrix[1] = 2.0 * ndc[1] / static_cast<double>(view.Height);
   this->Matrix[2] = vtkNBufferDepthConvention::InverseScale * ndc[2];
   this->Matrix[3] = ndc[3] - ndc[0] - ndc[1] + vtkNBufferDepthConvention::InverseOffset * ndc[2];
+  // A factor of zero puts every place at the eye.
+  const double push = ndc[2][3] < 0.0 ? std::min(view.Push, -1.0 / ndc[2][3]) : view.Push;
+  this->PushFactor = 1.0 + push * ndc[2][3];
+  this->PushShift = push * glm::dvec3(ndc[2]);
   this->GuardAtW1 = Guard *
     std::max(glm::length(glm::dvec3(this->Matrix[0])), glm::length(glm::dvec3(this->Matrix[1])));
   if (this->Kind == vtkShadowLightKind::Point)
@@ -128,7 +131,7 @@ double vtkShadowReceiverProjector::GetShaderError(double distance) const
 
 vtkShadowConeReach vtkShadowReceiverProjector::GetConeReach() const
 {
-  if (this->ByCentre || this->Push > 0.0)
+  if (this->ByCentre)
   {
     return {};
   }
@@ -151,8 +154,10 @@ vtkShadowConeReach vtkShadowReceiverProjector::GetConeReach() const
     guard = std::max(guard, this->GuardAtW1 / std::min(std::abs(a.w), std::abs(b.w)));
     isParallel = isParallel && a.w == b.w;
   }
-  // The interval, and as much for the difference between both of its ends as seen from the light.
+  // The interval, and half as much for the difference between both of its ends as seen from the
+  // light. The push lengthens it: by the same everywhere, or in proportion to the distance.
   const double interval = 1.5 * length;
+  const double push = 1.5 * (isParallel ? glm::length(this->PushShift) : 1.0 - this->PushFactor);
   const double pixels = guard + this->LightingMargin * guard / Guard;
   // Project() adds up the coordinates of vectors, which gives at most sqrt(3) times their length.
   const double scale = std::sqrt(3.0);
@@ -161,10 +166,10 @@ vtkShadowConeReach vtkShadowReceiverProjector::GetConeReach() const
   const double farScale = 1.0 / farthest;
   vtkShadowConeReach reach;
   reach.A0 = this->WorldError + shader * this->ShaderOffset * this->PlaceFactor +
-    (isParallel ? interval + pixels : 0.0);
+    (isParallel ? interval + push + pixels : 0.0);
   reach.A1 = PositionRounding * scale +
     shader * scale * (this->PlaceFactor + this->ShaderOffset * this->InverseFactor) +
-    (isParallel ? 0.0 : pixels * farScale);
+    (isParallel ? 0.0 : push + pixels * farScale);
   reach.A2 =
     shader * 3.0 * this->InverseFactor + (isParallel ? 0.0 : interval * farScale * farScale);
   reach.Farthest = farthest;
@@ -232,12 +237,12 @@ std::optional<vtkShadowReceiverProjector::Receiver> vtkShadowReceiverProjector::
 {
   const glm::dvec4 start = this->Row + this->Matrix[0] * static_cast<double>(x);
   const glm::dvec4& along = this->Matrix[2];
-  const double inverseW = std::abs(start[3] + along[3] * depth);
-  const double nearest = std::max(depth - this->DepthError - 0.5 * this->Push * inverseW, 0.0);
+  const double nearest = std::max(depth - this->DepthError, 0.0);
   const double farthest = std::min(depth + this->DepthError, 1.0);
   const double scaleA = 1.0 / (start[3] + along[3] * nearest);
   const double scaleB = 1.0 / (start[3] + along[3] * farthest);
-  glm::dvec3 a = (glm::dvec3(start) + glm::dvec3(along) * nearest) * scaleA;
+  glm::dvec3 a =
+    (glm::dvec3(start) + glm::dvec3(along) * nearest) * scaleA * this->PushFactor - this->PushShift;
   glm::dvec3 b = (glm::dvec3(start) + glm::dvec3(along) * farthest) * scaleB;
   const double length = GetLength1(b - a);
   const double distance = GetLength1(b - this->Eye);

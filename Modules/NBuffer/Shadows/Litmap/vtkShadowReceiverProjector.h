@@ -27,8 +27,13 @@
  * error is larger. But then a quantum is so short a length that the radius below covers it.)
  *
  * Volumes of casters far from the origin of their coordinates are pushed away from the eye
- * (vtkShadowCounter.h), which has the same effect as moving the receivers towards the eye. The
- * interval begins nearer to the eye by the largest push.
+ * (vtkShadowCounter.h): p is added to the z of their clip coordinates. Seen from the volume, the
+ * receiver of depth d has moved towards the eye, to where (z + p) / w = d. With M the matrix from
+ * clip to world coordinates and m its last row, w = (1 + p m_z) / (m (x/w, y/w, d, 1)) there. So
+ * the place is 1 + p m_z times that of the receiver, minus p times the column of M for z; for a
+ * parallel projection the factor is 1. The interval begins there for the largest push of all
+ * volumes, which may be before the near plane. (If the factor is not positive, the push leads
+ * beyond the eye. Nothing is in shadow then.)
  *
  * ## The radius around it
  *
@@ -160,9 +165,10 @@ private:
   double GetShaderError(double distance) const;
 
   vtkShadowLightKind Kind;
-  glm::dvec2 Size;   ///< The width and height of the image.
-  double DepthError; ///< The largest error of a window depth.
-  double Push;       ///< vtkShadowView::Push.
+  glm::dvec2 Size;                          ///< The width and height of the image.
+  double DepthError;                        ///< The largest error of a window depth.
+  double PushFactor = 1.0;                  ///< By what the largest push multiplies a place.
+  glm::dvec3 PushShift = { 0.0, 0.0, 0.0 }; ///< What it subtracts from the place after that.
   double Limit = std::numeric_limits<double>::infinity();
   double ConeCosine;          ///< vtkShadowLight::GetConeCosine().
   double LightingMargin;      ///< vtkShadowView::LightingMargin.
