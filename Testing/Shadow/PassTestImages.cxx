@@ -218,34 +218,6 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
   }
 }
 
-// Where large coordinates are not shifted, VTK's shader ends a cone at another place. What the
-// shader finds in the cone must have its shadow.
-TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
-{
-  constexpr double x = 5e6;
-  constexpr double y = 4.5e6;
-  const Stage stage = SetStage(
-    [=](SceneBuilder& scene)
-    {
-      scene.Box({ x, y, -0.5 }, { 60.0, 60.0, 1.0 }).ShiftCoordinates = false;
-      scene.Box({ x + 5.0, y, 7.0 }, { 10.0, 20.0, 2.0 }).ShiftCoordinates = false;
-      scene.Spot({ x, y, 20.0 }, { x, y, 0.0 }, 15.0);
-      scene.Look({ x + 3.0, y - 60.0, 40.0 }, { x, y, 0.0 });
-    },
-    400, 300);
-  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  for (const double cone : { 10.0, 15.0, 20.0, 25.0, 30.0 })
-  {
-    SCOPED_TRACE(cone);
-    stage.Lights[0]->SetConeAngle(cone);
-    pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
-    const Picture expected = RenderPicture(stage);
-    EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
-    pass->SetMode(vtkShadowVolumeClampPass::Scissored);
-    EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
-  }
-}
-
 // Hazard: VTK pushes surfaces away from the eye, so that edges and decals show, but not the volumes
 // that begin in these surfaces: the lit side of an open caster would be in its own shadow.
 TEST_F(PassImages, CoincidentTopologyDarkensNothing)
@@ -285,51 +257,6 @@ TEST_F(PassImages, CoincidentTopologyDarkensNothing)
     }
   }
   vtkMapper::SetResolveCoincidentTopologyToDefault();
-}
-
-// Hazard: VTK's shader compares the cosine of the cone's angle, which may be negative.
-TEST_F(PassImages, NegativeConesAreAsWideAsPositiveOnes)
-{
-  const Stage stage = SetStage(
-    [](SceneBuilder& scene)
-    {
-      scene.Floor(5.0);
-      scene.Box({ 0.0, 0.0, 1.0 }, { 0.6, 0.6, 0.6 });
-      scene.Spot({ 0.0, 0.0, 9.0 }, { 0.0, 0.0, 0.0 }, 20.0);
-      scene.Look({ 0.0, -8.0, 6.0 }, { 0.0, 0.0, 0.0 });
-    },
-    200, 150);
-  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  const Picture expected = RenderPicture(stage);
-  EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
-  stage.Lights[0]->SetConeAngle(-stage.Lights[0]->GetConeAngle());
-  for (const int mode :
-    { vtkShadowVolumeClampPass::Automatic, vtkShadowVolumeClampPass::Scissored })
-  {
-    AddPass(stage)->SetMode(mode);
-    EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
-  }
-}
-
-// Hazard: through a prop that blends, surfaces in the cone are seen behind a nearest one that is
-// not in the cone, and thus is no receiver.
-TEST_F(PassImages, ConesBehindPropsThatBlend)
-{
-  const Stage stage = SetStage(
-    [](SceneBuilder& scene)
-    {
-      TestScene::Prop& box = scene.Box({ 1.0, 1.0, 0.8 }, { 4.0, 0.5, 4.0 });
-      box.ForceOpaque = true;
-      box.Opacity = 0.5;
-      scene.Spot({ -4.0, 1.1, -6.2 }, { 0.0, 0.0, 0.0 }, 10.0);
-      scene.Look({ 7.8, 5.9, 3.9 }, { 0.0, 0.0, 0.0 });
-    },
-    120, 64);
-  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
-  const Picture expected = RenderPicture(stage);
-  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
-  EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
 }
 
 // Hazard: where front faces are not drawn, the inside of a closed caster is seen, which no light

@@ -210,7 +210,7 @@ double vtkNBufferSurface::GetMarginOfLines(vtkProperty* property)
 
 double vtkNBufferSurface::GetLightingMargin(vtkActor* actor)
 {
-  if (HasReplacedShaders(actor))
+  if (HasReplacedShaders(actor) || HasOffset(actor))
   {
     return std::numeric_limits<double>::infinity();
   }

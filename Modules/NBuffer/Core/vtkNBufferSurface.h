@@ -89,8 +89,9 @@ public:
 
   /**
    * How far, in pixels, the position at which VTK's shader lights a fragment of an actor may be
-   * from the fragment: points and lines are lit at their middle, and replaced shaders may use any
-   * position (infinity).
+   * from the fragment: points and lines are lit at their middle. It is infinite for replaced
+   * shaders, which may use any position, and for surfaces whose depth is offset, because these may
+   * be drawn before others whose depth is nearer without the offset.
    */
   static double GetLightingMargin(vtkActor* actor);
 

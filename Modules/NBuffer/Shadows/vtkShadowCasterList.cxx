@@ -157,8 +157,7 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   {
     this->Casters.clear();
     this->Skipped.fill(0);
-    this->LightingMargin =
-      vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF ? 0.0 : Anywhere;
+    this->LightingMargin = 0.0;
     for (const Member& member : this->Members.GetItems())
     {
       for (const Mesh& mesh : member.Meshes)
