@@ -10,12 +10,8 @@
 
 #include "vtkNBufferVTKVersion.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-#include "vtkCompositePolyDataMapper.h"
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
+#include VTKNBUFFER_COMPOSITE_MAPPER_HEADER
+
+using CompositeMapper = VTKNBUFFER_COMPOSITE_MAPPER;
 
 #endif

@@ -12,6 +12,7 @@
 #include "vtkNBufferGL.h"
 #include "vtkShadowLitmapSource.h"
 #include "vtkShadowReceiverProjector.h"
+#include "vtkShadowReceivers.h"
 
 #include "vtkCellArray.h"
 #include "vtkInformation.h"

@@ -33,8 +33,16 @@
 // vtkProp3D::CoordinateSystem: actors that follow a VR device or the physical world.
 #define VTKNBUFFER_HAS_COORDINATE_SYSTEMS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 2)
 
-// Applications use vtkCompositePolyDataMapper2 for composite data.
+// The mapper that applications use for composite data whose blocks have attributes, and the header
+// that declares it.
 #define VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3)
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+#define VTKNBUFFER_COMPOSITE_MAPPER vtkCompositePolyDataMapper2
+#define VTKNBUFFER_COMPOSITE_MAPPER_HEADER "vtkCompositePolyDataMapper2.h"
+#else
+#define VTKNBUFFER_COMPOSITE_MAPPER vtkCompositePolyDataMapper
+#define VTKNBUFFER_COMPOSITE_MAPPER_HEADER "vtkCompositePolyDataMapper.h"
+#endif
 
 // vtkCompositeDataDisplayAttributes chooses the scalars of a block, their range and lookup table.
 #define VTKNBUFFER_HAS_BLOCK_SCALARS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 3)

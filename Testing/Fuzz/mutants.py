@@ -359,7 +359,7 @@ RARE_SHADOWS = {
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
     "volumes beyond the range of the stencil are not counted in portions": [
         (MASK_MAKER,
-         "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
+         "const bool allAtOnce = plan.IsCountWithin(vtkShadowCaster::MaximumCount);",
          "const bool allAtOnce = true;")],
     "instances of glyphs cast from where they were": [
         ("vtkShadowCasterList.cxx", "mesh.InstancesTime == instancesTime && ", "")],

@@ -8,6 +8,8 @@
 #include "ShadowCaster.h"
 #include "WindowFixture.h"
 
+#include "vtkShadowReceivers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>

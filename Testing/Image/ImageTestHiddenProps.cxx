@@ -136,11 +136,13 @@ vtkSmartPointer<CompositeMapper> MakeBlockMapper(vtkLookupTable* table)
   return mapper;
 }
 
+#if VTKNBUFFER_HAS_BLOCK_SCALARS
 vtkDataSet* GetFirstBlock(vtkMapper* mapper)
 {
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
   return vtkDataSet::SafeDownCast(blocks->GetBlock(0));
 }
+#endif
 
 const Table Tables[] = {
   { "OfAMapper",

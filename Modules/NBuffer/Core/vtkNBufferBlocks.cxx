@@ -23,42 +23,38 @@ using vtkNBufferProtectedMembers::GetOwnTime;
 /// The newest time of all points. GetMTime() would also look at cells and arrays.
 static vtkMTimeType GetTimeOfPoints(vtkDataObject* data)
 {
-  vtkMTimeType time = data ? GetOwnTime(data) : 0;
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
-  {
-    vtkNBufferForEachChild(tree,
-      [&time](vtkDataObject* child)
+  vtkMTimeType time = 0;
+  vtkNBufferAnyNode(data,
+    [&time](vtkDataObject* node)
+    {
+      time = std::max(time, GetOwnTime(node));
+      auto* mesh = vtkPointSet::SafeDownCast(node);
+      if (vtkPoints* points = mesh ? mesh->GetPoints() : nullptr)
       {
-        time = std::max(time, GetTimeOfPoints(child));
-        return true;
-      });
-  }
-  auto* mesh = vtkPointSet::SafeDownCast(data);
-  vtkPoints* points = mesh ? mesh->GetPoints() : nullptr;
-  return points ? std::max({ time, GetOwnTime(points), GetOwnTime(points->GetData()) }) : time;
+        time = std::max({ time, GetOwnTime(points), GetOwnTime(points->GetData()) });
+      }
+      return false;
+    });
+  return time;
 }
 
 /// The bounds of all points of data, and of its blocks, computed from their coordinates.
 static vtkBoundingBox GetBoundsOfValues(vtkDataObject* data)
 {
   vtkBoundingBox box;
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
-  {
-    vtkNBufferForEachChild(tree,
-      [&box](vtkDataObject* child)
+  vtkNBufferAnyNode(data,
+    [&box](vtkDataObject* node)
+    {
+      auto* mesh = vtkPointSet::SafeDownCast(node);
+      vtkPoints* points = mesh ? mesh->GetPoints() : nullptr;
+      if (points && points->GetNumberOfPoints() > 0)
       {
-        box.AddBox(GetBoundsOfValues(child));
-        return true;
-      });
-  }
-  auto* mesh = vtkPointSet::SafeDownCast(data);
-  vtkPoints* points = mesh ? mesh->GetPoints() : nullptr;
-  if (points && points->GetNumberOfPoints() > 0)
-  {
-    double bounds[6];
-    vtkBoundingBox::ComputeBounds(points, bounds);
-    box.AddBounds(bounds);
-  }
+        double bounds[6];
+        vtkBoundingBox::ComputeBounds(points, bounds);
+        box.AddBounds(bounds);
+      }
+      return false;
+    });
   return box;
 }
 

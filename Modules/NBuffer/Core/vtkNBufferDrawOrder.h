@@ -24,10 +24,11 @@
 #define vtkNBufferDrawOrder_h
 
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMapper;
 class vtkProp;
 
-VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferDrawOrder
 {
 /// Whether a prop itself does one of these. The parts of an assembly are not looked at.

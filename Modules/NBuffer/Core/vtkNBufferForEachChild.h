@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferForEachChild.h
- * @brief Visits the children of a node of composite data.
+ * @brief Visits the nodes of composite data.
  *
  * vtk::Range() does the same, but each reference to a child copies the iterator, and the copy
  * begins again at the first child. With thousands of children this takes seconds.
@@ -32,6 +32,24 @@ void vtkNBufferForEachChild(vtkDataObjectTree* tree, const Visit& visit)
       return;
     }
   }
+}
+
+/// Whether a test holds for data or, if it is composite, for any node of it. No further node is
+/// tested once it holds. `data` may be nullptr.
+template <typename Test>
+bool vtkNBufferAnyNode(vtkDataObject* data, const Test& test)
+{
+  bool holds = data && test(data);
+  if (auto* tree = holds ? nullptr : vtkDataObjectTree::SafeDownCast(data))
+  {
+    vtkNBufferForEachChild(tree,
+      [&](vtkDataObject* child)
+      {
+        holds = vtkNBufferAnyNode(child, test);
+        return !holds;
+      });
+  }
+  return holds;
 }
 
 VTK_ABI_NAMESPACE_END

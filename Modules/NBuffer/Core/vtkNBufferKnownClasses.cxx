@@ -8,9 +8,7 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkRenderPass.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#endif
+#include VTKNBUFFER_COMPOSITE_MAPPER_HEADER
 
 #include <algorithm>
 #include <array>
@@ -79,26 +77,17 @@ static MapperKind GetOwnKind(vtkMapper* mapper)
   {
     return MapperKind::DataSet;
   }
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-  if (type == typeid(vtkCompositePolyDataMapper2))
-  {
-    return MapperKind::Composite;
-  }
-#endif
-  return type == typeid(vtkCompositePolyDataMapper) ? MapperKind::Composite : MapperKind::Other;
+  return type == typeid(VTKNBUFFER_COMPOSITE_MAPPER) || type == typeid(vtkCompositePolyDataMapper)
+    ? MapperKind::Composite
+    : MapperKind::Other;
 }
 
 /// The kind of the known class from which a mapper is derived.
 static MapperKind GetKindOfBase(vtkMapper* mapper)
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-  // It comes first, because it is a vtkOpenGLPolyDataMapper as well.
-  if (vtkCompositePolyDataMapper2::SafeDownCast(mapper))
-  {
-    return MapperKind::Composite;
-  }
-#endif
-  if (vtkCompositePolyDataMapper::SafeDownCast(mapper))
+  // It comes first, because vtkCompositePolyDataMapper2 is a vtkOpenGLPolyDataMapper as well.
+  if (VTKNBUFFER_COMPOSITE_MAPPER::SafeDownCast(mapper) ||
+    vtkCompositePolyDataMapper::SafeDownCast(mapper))
   {
     return MapperKind::Composite;
   }

@@ -9,7 +9,6 @@
 #include "vtkNBufferObservedObjects.h"
 #include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSurface.h"
-#include "vtkNBufferTextures.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
@@ -96,7 +95,7 @@ vtkMTimeType GetTimeWithData(vtkAlgorithm* algorithm, bool withBlocks)
 vtkMTimeType GetTimeOfAll(vtkActor* actor, vtkShaderProperty* shaders, bool withBlocks)
 {
   // This comes first, because an actor creates a property that is missing.
-  const std::vector<vtkTexture*> textures = vtkNBufferGetTextures(actor);
+  const std::vector<vtkTexture*> textures = vtkNBufferSurface::GetTextures(actor);
   vtkMTimeType time = std::max(actor->GetMTime(), shaders ? shaders->GetMTime() : 0);
   for (vtkTexture* texture : textures)
   {
@@ -121,16 +120,13 @@ vtkMTimeType GetTimeOfAll(vtkActor* actor, vtkShaderProperty* shaders, bool with
 
 vtkMTimeType vtkNBufferPropWatch::GetDataTime(vtkDataObject* data, bool withBlocks)
 {
-  vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (auto* tree = withBlocks ? vtkDataObjectTree::SafeDownCast(data) : nullptr)
-  {
-    vtkNBufferForEachChild(tree,
-      [&time](vtkDataObject* part)
-      {
-        time = std::max(time, GetDataTime(part, true));
-        return true;
-      });
-  }
+  vtkMTimeType time = 0;
+  vtkNBufferAnyNode(data,
+    [&time, withBlocks](vtkDataObject* node)
+    {
+      time = std::max(time, node->GetMTime());
+      return !withBlocks;
+    });
   return time;
 }
 
@@ -172,8 +168,8 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
       !vtkNBufferSurface::HasOtherCoordinates(this->Actor));
   // Whether a texture is translucent depends on a pipeline of its own, and the time of a mapper
   // does not include those of its clipping planes.
-  vtkPolyData* input =
-    this->Mapper && vtkNBufferGetTextures(this->Actor).empty() && !this->Mapper->GetClippingPlanes()
+  vtkPolyData* input = this->Mapper && vtkNBufferSurface::GetTextures(this->Actor).empty() &&
+      !this->Mapper->GetClippingPlanes()
     ? vtkNBufferSurface::GetOnlyPolyData(this->Mapper)
     : nullptr;
   this->Input = input;

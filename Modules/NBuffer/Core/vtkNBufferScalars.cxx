@@ -22,23 +22,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Whether a test holds for data or, if it is composite, for any node of it.
-template <typename Test>
-bool AnyOf(vtkDataObject* data, const Test& test)
-{
-  bool holds = data && test(data);
-  if (auto* tree = holds ? nullptr : vtkDataObjectTree::SafeDownCast(data))
-  {
-    vtkNBufferForEachChild(tree,
-      [&](vtkDataObject* child)
-      {
-        holds = AnyOf(child, test);
-        return !holds;
-      });
-  }
-  return holds;
-}
-
 /// The scalars that a mapper maps of a data set, or nullptr.
 vtkAbstractArray* GetScalars(vtkMapper* mapper, vtkDataObject* data)
 {
@@ -149,7 +132,7 @@ bool vtkNBufferScalars::ChangeTable(vtkMapper* mapper)
     !vtkColorTransferFunction::SafeDownCast(table) &&
     !std::equal(table->GetRange(), table->GetRange() + 2, mapper->GetScalarRange()) &&
     (HasBlocksWithScalars(mapper) ||
-      AnyOf(mapper->GetInputDataObject(0, 0),
+      vtkNBufferAnyNode(mapper->GetInputDataObject(0, 0),
         [mapper](vtkDataObject* data) { return GetScalars(mapper, data) != nullptr; }));
 }
 
@@ -163,7 +146,7 @@ bool vtkNBufferScalars::AreFaint(vtkMapper* mapper)
     return MapsScalars(mapper) &&
       (HasFaintColors(own) ||
         (HasBlocksWithTables(mapper) &&
-          AnyOf(input,
+          vtkNBufferAnyNode(input,
             [mapper](vtkDataObject* data)
             { return HasFaintColors(GetBlockTable(mapper, data)); })));
   }
@@ -175,7 +158,7 @@ bool vtkNBufferScalars::AreFaint(vtkMapper* mapper)
     own = mapper->GetLookupTable();
     own->Build();
   }
-  return AnyOf(input,
+  return vtkNBufferAnyNode(input,
     [=](vtkDataObject* data)
     {
       vtkAbstractArray* scalars = GetScalars(mapper, data);

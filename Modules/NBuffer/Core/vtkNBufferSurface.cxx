@@ -5,24 +5,19 @@
 #include "vtkNBufferForEachChild.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferProtectedMembers.h"
-#include "vtkNBufferTextures.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataSetMapper.h"
-#include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
 #include "vtkGeometryFilter.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLIndexBufferObject.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
@@ -32,12 +27,9 @@
 #include "vtkTexture.h"
 #include "vtkTrivialProducer.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#endif
+#include VTKNBUFFER_COMPOSITE_MAPPER_HEADER
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <typeinfo>
 
@@ -47,12 +39,7 @@ using Kind = vtkNBufferKnownClasses::MapperKind;
 
 namespace
 {
-/// The mapper of composite data whose blocks have attributes.
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
+using CompositeMapper = VTKNBUFFER_COMPOSITE_MAPPER;
 
 void UpdateProducer(vtkAlgorithm* algorithm)
 {
@@ -88,15 +75,12 @@ bool HasLineCells(vtkDataSet* data)
 /// Whether a polydata, or a block of composite data that is one, has lines (or vertices).
 bool HasLines(vtkDataObject* data, bool orVertices)
 {
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
-  {
-    bool found = false;
-    vtkNBufferForEachChild(
-      tree, [&](vtkDataObject* block) { return !(found = HasLines(block, orVertices)); });
-    return found;
-  }
-  auto* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh && (mesh->GetNumberOfLines() > 0 || (orVertices && mesh->GetNumberOfVerts() > 0));
+  return vtkNBufferAnyNode(data,
+    [orVertices](vtkDataObject* node)
+    {
+      auto* mesh = vtkPolyData::SafeDownCast(node);
+      return mesh && (mesh->GetNumberOfLines() > 0 || (orVertices && mesh->GetNumberOfVerts() > 0));
+    });
 }
 
 /// Add a part for the data or, if it is composite, for each block. `part` has the attributes that
@@ -184,13 +168,30 @@ vtkPolyData* vtkNBufferSurface::GetOnlyPolyData(vtkMapper* mapper)
                                                         : nullptr;
 }
 
+std::vector<vtkTexture*> vtkNBufferSurface::GetTextures(vtkActor* actor)
+{
+  std::vector<vtkTexture*> textures;
+  if (actor->GetTexture())
+  {
+    textures.push_back(actor->GetTexture());
+  }
+  for (const auto& [name, texture] : actor->GetProperty()->GetAllTextures())
+  {
+    if (texture)
+    {
+      textures.push_back(texture);
+    }
+  }
+  return textures;
+}
+
 void vtkNBufferSurface::UpdatePipeline(vtkActor* actor)
 {
   if (vtkMapper* mapper = actor->GetMapper(); mapper && !mapper->GetStatic())
   {
     UpdateProducer(mapper);
   }
-  for (vtkTexture* texture : vtkNBufferGetTextures(actor))
+  for (vtkTexture* texture : GetTextures(actor))
   {
     UpdateProducer(texture);
   }

@@ -35,6 +35,7 @@ class vtkMapper;
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProperty;
+class vtkTexture;
 
 /// The triangles that VTK's OpenGL mappers draw for a polydata, in model coordinates.
 struct vtkNBufferMesh
@@ -68,6 +69,9 @@ public:
   /// The input of a plain mapper if it is a single vtkPolyData, and no subclass, which the mapper
   /// draws as it is; otherwise nullptr.
   static vtkPolyData* GetOnlyPolyData(vtkMapper* mapper);
+
+  /// The textures of an actor and of its property, which is created if it is missing.
+  static std::vector<vtkTexture*> GetTextures(vtkActor* actor);
 
   /// Update the pipelines of mapper and textures, as VTK does before it draws. Does nothing for a
   /// static mapper (vtkMapper::SetStatic()), and costs little where there is no pipeline.

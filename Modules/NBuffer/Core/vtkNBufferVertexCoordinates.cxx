@@ -6,16 +6,13 @@
 #include "vtkNBufferSurface.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCompositePolyDataMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#endif
+#include VTKNBUFFER_COMPOSITE_MAPPER_HEADER
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +20,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The mapper of composite data whose blocks have attributes.
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
+using CompositeMapper = VTKNBUFFER_COMPOSITE_MAPPER;
 
 /// The range of one component as vtkDataArray::GetRange() gives it. That function caches its result
 /// behind some microseconds of dispatch, which for thousands of small meshes is most of a first

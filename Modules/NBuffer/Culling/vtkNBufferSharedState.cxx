@@ -5,7 +5,6 @@
 #include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferScalars.h"
 #include "vtkNBufferSurface.h"
-#include "vtkNBufferTextures.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
@@ -113,7 +112,7 @@ vtkNBufferSharedState::Use GetTableUse(vtkMapper* mapper)
 vtkNBufferSharedState::Use GetTextureTableUse(vtkActor* actor)
 {
   const void* table = nullptr;
-  for (vtkTexture* texture : vtkNBufferGetTextures(actor))
+  for (vtkTexture* texture : vtkNBufferSurface::GetTextures(actor))
   {
     table = table ? table : texture->GetLookupTable();
   }

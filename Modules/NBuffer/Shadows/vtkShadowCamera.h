@@ -9,7 +9,7 @@
 
 #include "vtkNBufferCamera.h"
 #include "vtkShadowPlan.h"
-#include "vtkShadowReceivers.h"
+#include "vtkShadowReceiverProjector.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;

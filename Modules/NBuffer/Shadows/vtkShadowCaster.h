@@ -41,9 +41,8 @@
 #define vtkShadowCaster_h
 
 #include "vtkNBufferSurface.h"
+#include "vtkShadowFootprint.h"
 #include "vtkShadowLight.h"
-#include "vtkShadowPlan.h"
-#include "vtkShadowSilhouette.h"
 #include "vtkShadowTopology.h"
 
 #include <array>

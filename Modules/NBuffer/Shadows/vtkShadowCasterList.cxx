@@ -6,7 +6,6 @@
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGlyphs.h"
 #include "vtkNBufferKnownClasses.h"
-#include "vtkNBufferTextures.h"
 #include "vtkNBufferVertexCoordinates.h"
 
 #include "vtkActor.h"
@@ -53,7 +52,7 @@ double GetLightingMargin(vtkActor* actor)
 /// 255 everywhere counts as opaque if it is not interpolated.
 bool MayHaveHoles(vtkActor* actor)
 {
-  const std::vector<vtkTexture*> textures = vtkNBufferGetTextures(actor);
+  const std::vector<vtkTexture*> textures = vtkNBufferSurface::GetTextures(actor);
   return vtkNBufferDrawOrder::MattersTo(actor) || vtkNBufferSurface::HasReplacedShaders(actor) ||
     std::any_of(textures.begin(), textures.end(),
       [](vtkTexture* texture)

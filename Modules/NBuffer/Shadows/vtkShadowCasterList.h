@@ -56,7 +56,8 @@ public:
   const std::array<int, NumberOfShadowSkips>& GetSkipped() const { return this->Skipped; }
 
   /// The largest vtkNBufferSurface::GetLightingMargin(), in pixels, of all visible actors, casters
-  /// or not. It is infinite if there are visible props that are neither actors nor 2D actors.
+  /// or not. It is infinite if there are visible props that are neither actors nor 2D actors, or
+  /// that blend with what is behind them (vtkNBufferDrawOrder::MattersTo()).
   double GetLightingMargin() const { return this->LightingMargin; }
 
   /// The number of casters whose mesh, matrix or planes the last Update() found changed.

@@ -10,6 +10,7 @@
 #include "vtkShadowCostMeasurement.h"
 #include "vtkShadowLitmapSource.h"
 #include "vtkShadowReceiverProjector.h"
+#include "vtkShadowReceivers.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -279,7 +280,7 @@ long long vtkShadowMaskMaker::EstimateCovered(const Work& work)
     this->Error.clear();
     this->Coverage.Set(samples, samples);
   }
-  return this->Coverage.Get(samples);
+  return static_cast<long long>(this->Coverage.GetCovered());
 }
 
 void vtkShadowMaskMaker::MeasureCosts(const Work& work)
@@ -411,7 +412,7 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
   const int mask = vtkShadowTarget::GetMaskIndex(work.Slot);
   const int channel = vtkShadowTarget::GetChannel(work.Slot);
   // Each turn counts as many volumes as the stencil can hold if a receiver is inside of them all.
-  const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
+  const bool allAtOnce = plan.IsCountWithin(vtkShadowCaster::MaximumCount);
   const vtkShadowDraw* first = draws.data();
   const vtkShadowDraw* const end = first + draws.size();
   while (first != end)

@@ -18,7 +18,6 @@
 #include "vtkShadowCasterList.h"
 #include "vtkShadowCostModel.h"
 #include "vtkShadowCounter.h"
-#include "vtkShadowCoverage.h"
 #include "vtkShadowDebugView.h"
 #include "vtkShadowEstimate.h"
 #include "vtkShadowLightList.h"

@@ -79,6 +79,7 @@ bool vtkShadowShading::Insert(std::string& fragmentShader) const
   }
   return isKnown;
 }
+
 void vtkShadowShading::SetUp(const std::vector<vtkShadowLightSource>& lights, int samples)
 {
   std::vector<int> numbers;

@@ -49,9 +49,9 @@ public:
   void Declare(std::string& fragmentShader) const;
 
   /// Multiplies the terms of lights by their shares, and VTK's offsets of depth by 0 where only the
-  /// depth of receivers is drawn. Call it after the mapper has inserted its own
-  /// code. It does nothing for lights whose terms are already multiplied. Returns false if the
-  /// shader uses a light in an unknown way, so that its props receive no shadow of that light.
+  /// depth of receivers is drawn. Call it after the mapper has inserted its own code. It does
+  /// nothing for lights whose terms are already multiplied. Returns false if the shader uses a
+  /// light in an unknown way, so that its props receive no shadow of that light.
   bool Insert(std::string& fragmentShader) const;
 
   /// Sets the uniforms of a mapper's program. Call it within a Scope.

@@ -65,19 +65,9 @@ void DrawRange(const Range& range)
   glDrawElements(GL_TRIANGLES, range.Count, GL_UNSIGNED_INT, range.GetPlace());
 }
 
-/// How triangles are drawn.
-struct Way
-{
-  bool operator<(const Way& other) const
-  {
-    return std::tie(this->ZPass, this->Offset, this->Rounding) <
-      std::tie(other.ZPass, other.Offset, other.Rounding);
-  }
-
-  bool ZPass;
-  bool Offset;    ///< Whether the polygon offset is on.
-  float Rounding; ///< For how much rounding they are pushed in addition.
-};
+/// How triangles are drawn: by z-pass or z-fail, with or without the polygon offset, and for how
+/// much rounding they are pushed in addition.
+using Way = std::tuple<bool, bool, float>;
 
 /// Triangles, and where they are drawn.
 struct Piece
@@ -92,18 +82,16 @@ std::map<Way, std::vector<Piece>> GetPieces(const vtkShadowDraw* first, const vt
   std::map<Way, std::vector<Piece>> pieces;
   for (const vtkShadowDraw* draw = first; draw != last; ++draw)
   {
-    const int offset = draw->NumberOfOffsetIndices;
-    const Range ranges[] = { { draw->FirstIndex, offset },
-      { draw->FirstIndex + offset, draw->NumberOfIndices - offset } };
-    const Way ways[] = { { draw->ZPass, true, draw->Rounding },
-      { draw->ZPass, false, draw->Rounding } };
-    for (int i = 0; i < 2; ++i)
+    const auto add = [&pieces, draw](bool isOffset, int begin, int end)
     {
-      if (ranges[i].Count > 0)
+      if (end > begin)
       {
-        pieces[ways[i]].push_back({ ranges[i], draw->Box });
+        pieces[{ draw->ZPass, isOffset, draw->Rounding }].push_back(
+          { { draw->FirstIndex + begin, end - begin }, draw->Box });
       }
-    }
+    };
+    add(true, 0, draw->NumberOfOffsetIndices);
+    add(false, draw->NumberOfOffsetIndices, draw->NumberOfIndices);
   }
   return pieces;
 }
@@ -211,22 +199,6 @@ void vtkShadowCounter::ClearStencil(const vtkShadowTarget& target, const int vie
   glClearBufferiv(GL_STENCIL, 0, &none);
 }
 
-void vtkShadowCounter::SetDirection(bool zPass)
-{
-  glStencilFunc(GL_ALWAYS, 0, 0xff);
-  (zPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
-  if (zPass)
-  {
-    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
-    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
-  }
-  else
-  {
-    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-  }
-}
-
 bool vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
   vtkSmartPointer<vtkShaderProgram>& program, const std::string& fragmentShader,
   const vtkShadowVolumeBuffer& volume, const vtkShadowDrawList::View& view, std::string& why)
@@ -261,29 +233,37 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   glDepthFunc(vtkNBufferDepthConvention::PassIfNearer);
   const vtkNBufferRectangle everywhere = { 0, 0, view.Viewport[2], view.Viewport[3] };
   const std::map<Way, std::vector<Piece>> pieces = GetPieces(first, last);
-  const auto setState = [&](bool counting, const Way& way)
+  glStencilFunc(GL_ALWAYS, 0, 0xff);
+  const auto setState = [&](const Way& way)
   {
-    this->SetDirection(way.ZPass);
-    if (!counting)
+    const auto [zPass, isOffset, rounding] = way;
+    (zPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
+    if (zPass)
     {
-      glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    }
-    this->VolumeProgram->SetUniformf("push", static_cast<float>(view.GetPush(way.Rounding)));
-    if (isOffsetByShader)
-    {
-      this->VolumeProgram->SetUniformf("factor", way.Offset ? OffsetFactor : 0.0f);
-      this->VolumeProgram->SetUniformf("bias", way.Offset ? OffsetByShader : 0.0f);
+      glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+      glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     }
     else
     {
-      (way.Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+      glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+      glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    }
+    this->VolumeProgram->SetUniformf("push", static_cast<float>(view.GetPush(rounding)));
+    if (isOffsetByShader)
+    {
+      this->VolumeProgram->SetUniformf("factor", isOffset ? OffsetFactor : 0.0f);
+      this->VolumeProgram->SetUniformf("bias", isOffset ? OffsetByShader : 0.0f);
+    }
+    else
+    {
+      (isOffset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
     }
   };
-  const auto drawAll = [&](bool counting)
+  const auto drawAll = [&]
   {
     for (const auto& [way, ofWay] : pieces)
     {
-      setState(counting, way);
+      setState(way);
       Batch batch; // what is drawn into the whole viewport
       for (const Piece& piece : ofWay)
       {
@@ -301,13 +281,15 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
       batch.Draw();
     }
   };
-  drawAll(true);
+  drawAll();
   if (fragments)
   {
     glDepthFunc(GL_ALWAYS);
+    glStencilMask(0);
     glBeginQuery(GL_SAMPLES_PASSED, this->Query.Create());
-    drawAll(false);
+    drawAll();
     glEndQuery(GL_SAMPLES_PASSED);
+    glStencilMask(0xff);
     GLuint samples = 0;
     glGetQueryObjectuiv(this->Query.GetName(), GL_QUERY_RESULT, &samples);
     *fragments += samples;

@@ -115,7 +115,6 @@ private:
   bool BeginVolumes(vtkOpenGLRenderWindow* window, vtkSmartPointer<vtkShaderProgram>& program,
     const std::string& fragmentShader, const vtkShadowVolumeBuffer& volume,
     const vtkShadowDrawList::View& view, std::string& why);
-  void SetDirection(bool zPass);
 
   vtkNBufferGL::Query Query;
   vtkNBufferGL::FullScreenPass MaskPass;

@@ -15,8 +15,8 @@
 #define vtkShadowDebugImage_h
 
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowDrawList.h"
 #include "vtkShadowLitmap.h"
-#include "vtkShadowPlan.h"
 
 #include <array>
 #include <vector>

@@ -131,7 +131,7 @@ bool vtkShadowDrawList::IsBeyondNearPlane(const vtkShadowPiece& piece) const
   return isBeyond(piece.Points, 1.0) && isBeyond(piece.Directions, 0.0);
 }
 
-bool vtkShadowDrawList::IsCountBelow(int limit) const
+bool vtkShadowDrawList::IsCountWithin(int limit) const
 {
   if (!this->Bound)
   {

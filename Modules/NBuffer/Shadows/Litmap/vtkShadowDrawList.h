@@ -131,7 +131,7 @@ public:
   /// false, and changes nothing, if the volumes depend on the view (vtkShadowVolume.h).
   bool SetView(const View& view);
 
-  /// Adds the rays of a caster that will be drawn, for IsCountBelow(). Rays that are not finite
+  /// Adds the rays of a caster that will be drawn, for IsCountWithin(). Rays that are not finite
   /// stand for any ray.
   void AddRays(const vtkShadowSilhouette& silhouette, const vtkShadowBlock& rays);
 
@@ -150,7 +150,7 @@ public:
   long long GetNumberOfTriangles() const { return this->Triangles; }
 
   /// Returns true if no receiver can have a stencil count above `limit` when all volumes are drawn.
-  bool IsCountBelow(int limit) const;
+  bool IsCountWithin(int limit) const;
 
 private:
   void AddDraws(const vtkShadowPart& caster, bool isNearCapItsOwn, const Boxes& boxes,

@@ -15,7 +15,7 @@
 #include "vtkShadowBlock.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowLitmap.h"
-#include "vtkShadowReceivers.h"
+#include "vtkShadowReceiverProjector.h"
 
 #include <string>
 

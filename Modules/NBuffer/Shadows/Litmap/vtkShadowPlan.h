@@ -151,7 +151,7 @@ public:
   long long GetNumberOfTriangles() const { return this->Draws.GetNumberOfTriangles(); }
 
   /// Returns true if no receiver can have a stencil count above `limit` when all volumes are drawn.
-  bool IsCountBelow(int limit) const { return this->Draws.IsCountBelow(limit); }
+  bool IsCountWithin(int limit) const { return this->Draws.IsCountWithin(limit); }
 
 private:
   using Lookup = vtkShadowLitmapSet::Lookup;
