@@ -90,7 +90,8 @@ enum class vtkShadowDecision : int
   NoLight,    ///< No light that is switched on can cast shadows.
   NoCaster,   ///< No prop can cast a shadow.
   NoReceiver, ///< No caster has a receiver; the frame was drawn as without the pass.
-  Failed,     ///< The shadows could not be drawn; the frame was drawn as without the pass.
+  Failed,     ///< The shadows could not be drawn, or the application aborted the frame
+              ///< (vtkRenderWindow::SetAbortRender()); it was drawn as without the pass.
   NumberOfDecisions
 };
 

@@ -8,6 +8,7 @@
 
 #include "vtkNBufferCuller.h"
 #include "vtkNBufferGL.h"
+#include "vtkShadowTarget.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -19,17 +20,21 @@
 #include "vtkLightsPass.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPolyData.h"
 #include "vtkPropPicker.h"
 #include "vtkProperty.h"
 #include "vtkSSAOPass.h"
 #include "vtkSelection.h"
 #include "vtkSphereSource.h"
+#include "vtkTextureUnitManager.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
 #include <functional>
 #include <utility>
+#include <vector>
 
 using PassWindows = OffscreenFixture;
 
@@ -375,6 +380,83 @@ TEST_F(PassLifetime, ReleasedAndDrawnAgain)
     EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
     EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
   }
+}
+
+// Hazard: the window loses its context while the renderer has no pass, which VTK then tells
+// nothing.
+TEST_F(PassLifetime, SmoothedInAnotherContext)
+{
+  const Stage stage = SetNamedStage("Directional");
+  stage.GetRenderer()->UseFXAAOn();
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const Picture expected = RenderPicture(stage);
+  stage.GetRenderer()->SetPass(nullptr);
+  stage.Window->Finalize();
+  stage.Window->Render();
+  stage.GetRenderer()->SetPass(pass);
+  EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+}
+
+// Hazard: the masks of a frame in which mappers have left out receivers are kept.
+TEST_F(PassLifetime, AbortedFramesLeaveNoMasks)
+{
+  const Stage stage = SetNamedStage("Directional");
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const Picture expected = RenderPicture(stage);
+  pass = AddPass(stage);
+  vtkMapper* mapper = GetActors(stage.GetRenderer())[0]->GetMapper();
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetClientData(stage.Window);
+  abort->SetCallback([](vtkObject*, unsigned long, void* window, void*)
+    { static_cast<vtkRenderWindow*>(window)->SetAbortRender(1); });
+  const unsigned long tag = mapper->AddObserver(vtkCommand::EndEvent, abort);
+  stage.Window->Render();
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Failed);
+  EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+  mapper->RemoveObserver(tag);
+  EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+}
+
+// Hazard: masks get no texture unit, or leave none to the textures of props.
+TEST_F(PassLifetime, MoreLightsThanTextureUnits)
+{
+  const Stage stage = SetNamedStage("Directional");
+  stage.Window->SetSize(40, 30);
+  stage.Window->Render();
+  const int units = vtkOpenGLRenderWindow::SafeDownCast(stage.Window)
+                      ->GetState()
+                      ->GetTextureUnitManager()
+                      ->GetNumberOfTextureUnits();
+  std::vector<vtkSmartPointer<vtkLight>> more;
+  for (int i = 0; i < units * vtkShadowTarget::LightsPerMask; ++i)
+  {
+    more.push_back(
+      TestScene::MakeLight(TestScene::SceneBuilder().Directional({ 0.01 * i, 0.2, -1.0 })));
+    more.back()->SetIntensity(0.01);
+    stage.GetRenderer()->AddLight(more.back());
+  }
+  const Picture plain = RenderPicture(stage);
+  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  EXPECT_EQ(FindDifference(plain, RenderPicture(stage)), "");
+  EXPECT_EQ(FindDifference(plain, RenderPicture(stage)), "");
+  EXPECT_EQ(pass->GetStatistics().FailedFrames, 2);
+
+  // As many as possible, and then few: masks that are not needed take no units.
+  const auto keep = [&](std::size_t count)
+  {
+    for (std::size_t i = 0; i < more.size(); ++i)
+    {
+      more[i]->SetSwitch(i < count);
+    }
+  };
+  keep((units - 8) * vtkShadowTarget::LightsPerMask);
+  stage.Window->Render();
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+  keep(1);
+  const Picture again = RenderPicture(stage);
+  AddPass(stage);
+  EXPECT_EQ(FindDifference(RenderPicture(stage), again), "");
 }
 
 // Hazard: a selection draws nothing because the pass draws the frame.

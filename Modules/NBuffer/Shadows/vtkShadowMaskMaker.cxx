@@ -93,7 +93,7 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
     vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
   frame.DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);
-  for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
+  for (int mask = 0; mask < vtkShadowTarget::CountMasks(lights.size()); ++mask)
   {
     this->Counter.ClearMask(this->Target, mask, this->Viewport);
   }

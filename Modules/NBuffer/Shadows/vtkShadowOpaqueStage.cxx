@@ -15,10 +15,8 @@
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -105,7 +103,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   else
   {
     leave.reset();
-    if (!done)
+    if (!done && !window->GetAbortRender())
     {
       ++statistics.FailedFrames;
       this->WarnOnce(this->HasWarned, "Drawn without shadows. " + this->Masks.GetError());
@@ -151,9 +149,11 @@ bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings
     this->Draw(&receivers, vtkShadowShading::Purpose::Depth);
   }
   this->Statistics.DepthTime = clock.GetMilliseconds();
-  return this->Masks.Make({ state->GetRenderer(), lights, this->Casters, this->Timers,
-                            this->DebugView, this->Statistics },
-    settings.Masks);
+  // In a frame that is aborted, mappers leave out receivers.
+  return !this->Window->GetAbortRender() &&
+    this->Masks.Make({ state->GetRenderer(), lights, this->Casters, this->Timers, this->DebugView,
+                       this->Statistics },
+      settings.Masks);
 }
 
 void vtkShadowOpaqueStage::Draw(const vtkRenderState* state, vtkShadowShading::Purpose purpose)

@@ -45,20 +45,42 @@ void vtkShadowTranslucentStage::Render(const vtkRenderState* s)
       this->Superclass::Render(s);
     }
   }
-  const bool smooths = renderer->GetUseFXAA() && s->GetPropArrayCount() > 0;
-  if (auto* smoothed = smooths ? vtkOpenGLRenderer::SafeDownCast(renderer) : nullptr)
+  if (renderer->GetUseFXAA() && s->GetPropArrayCount() > 0)
   {
-    if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
-    {
-      this->Smoothing->UpdateConfiguration(options);
-    }
-    this->Smoothing->Execute(smoothed);
+    this->Smooth(static_cast<vtkOpenGLRenderer*>(renderer));
   }
+}
+
+vtkShadowTranslucentStage::vtkShadowTranslucentStage()
+  : ResourceCallback(new Callback(this, &vtkShadowTranslucentStage::ReleaseObjects))
+{
+}
+
+vtkShadowTranslucentStage::~vtkShadowTranslucentStage()
+{
+  this->ResourceCallback->Release();
+}
+
+void vtkShadowTranslucentStage::Smooth(vtkOpenGLRenderer* renderer)
+{
+  // The filter does not notice that the window has another context, or is another one.
+  this->ResourceCallback->RegisterGraphicsResources(
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
+  {
+    this->Smoothing->UpdateConfiguration(options);
+  }
+  this->Smoothing->Execute(renderer);
+}
+
+void vtkShadowTranslucentStage::ReleaseObjects(vtkWindow*)
+{
+  this->Smoothing->ReleaseGraphicsResources();
 }
 
 void vtkShadowTranslucentStage::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Smoothing->ReleaseGraphicsResources();
+  this->ResourceCallback->Release();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

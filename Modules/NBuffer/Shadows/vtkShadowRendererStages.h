@@ -19,15 +19,18 @@
 #define vtkShadowRendererStages_h
 
 #include "vtkNBufferRenderPassTraits.h"
+#include "vtkNBufferResourceCallback.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkTranslucentPass.h"
 #include "vtkVolumetricPass.h"
 
+#include <memory>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderer;
 
 /// Draws the translucent props, and smooths the image. In reversed depth vtkTranslucentPass draws
 /// the props, because the shaders of the other ways take all depth for VTK's own.
@@ -43,8 +46,18 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   std::vector<vtkRenderPass*> GetDelegatePasses() override { return {}; }
 
+protected:
+  vtkShadowTranslucentStage();
+  ~vtkShadowTranslucentStage() override;
+
 private:
+  using Callback = vtkOpenGLResourceFreeCallback<vtkShadowTranslucentStage>;
+
+  void Smooth(vtkOpenGLRenderer* renderer);
+  void ReleaseObjects(vtkWindow* window);
+
   vtkNew<vtkOpenGLFXAAFilter> Smoothing;
+  std::unique_ptr<Callback> ResourceCallback;
 };
 
 /// Draws the volumes that the stage before has not drawn.

@@ -16,6 +16,7 @@
 #include VTKNBUFFER_GL_HEADER
 
 #include <algorithm>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 void vtkShadowShading::Declare(std::string& fragmentShader) const
@@ -134,25 +135,29 @@ void vtkShadowShading::SetParameters(vtkShaderProgram* program)
 vtkShadowShading::Scope::Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow* window,
   const vtkShadowTarget& target, Purpose purpose)
   : ActiveUnit(window->GetState())
-  , Target(target)
-  , Depth(purpose == Purpose::Color ? target.GetDepth() : nullptr)
 {
   // The masks are bound even if depth alone is drawn, because samplers of two kinds must not share
   // a texture unit.
-  shading.TextureUnits.resize(target.GetNumberOfMasks());
-  for (int i = 0; i < target.GetNumberOfMasks(); ++i)
+  const int masks = vtkShadowTarget::CountMasks(shading.ShaderLights.size());
+  for (int i = 0; i < masks; ++i)
   {
-    target.GetMask(i)->Activate();
-    shading.TextureUnits[i] = target.GetMask(i)->GetTextureUnit();
+    this->Textures.push_back(target.GetMask(i));
+  }
+  if (purpose == Purpose::Color && target.GetDepth())
+  {
+    this->Textures.push_back(target.GetDepth());
+  }
+  std::vector<int> units;
+  for (vtkTextureObject* texture : this->Textures)
+  {
+    texture->Activate();
+    units.push_back(texture->GetTextureUnit());
   }
   shading.State = window->GetState();
   shading.DrawnFor = purpose;
-  shading.DepthUnit = shading.TextureUnits[0];
-  if (this->Depth)
-  {
-    this->Depth->Activate();
-    shading.DepthUnit = this->Depth->GetTextureUnit();
-  }
+  shading.DepthUnit = units.back();
+  units.resize(masks);
+  shading.TextureUnits = std::move(units);
   shading.LastProgram = {};
   shading.SampleOffsets.clear();
   for (const auto& place : target.GetSamples())
@@ -167,13 +172,9 @@ vtkShadowShading::Scope::Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow*
 
 vtkShadowShading::Scope::~Scope()
 {
-  for (int i = 0; i < this->Target.GetNumberOfMasks(); ++i)
+  for (vtkTextureObject* texture : this->Textures)
   {
-    this->Target.GetMask(i)->Deactivate();
-  }
-  if (this->Depth)
-  {
-    this->Depth->Deactivate();
+    texture->Deactivate();
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -77,8 +77,7 @@ public:
 
   private:
     const vtkOpenGLState::ScopedglActiveTexture ActiveUnit; ///< The first member, so it ends last.
-    const vtkShadowTarget& Target;
-    vtkTextureObject* Depth;
+    std::vector<vtkTextureObject*> Textures;                ///< Those that are bound.
   };
 
 private:

@@ -7,8 +7,10 @@
 #include "vtkShadowSampleFS.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 
@@ -18,6 +20,28 @@ namespace
 vtkShadowTarget::SamplePlaces GetCentre()
 {
   return { { { 0.5, 0.5 } } };
+}
+
+/// So many texture units are left to the textures of a prop, of which VTK's materials have six at
+/// most. A prop that has no unit for one of its textures is drawn wrongly, or not at all.
+constexpr int UnitsOfProps = 6;
+
+bool HasTextureUnits(vtkOpenGLRenderWindow* window, int wanted, std::string& why)
+{
+  vtkTextureUnitManager* units = window->GetState()->GetTextureUnitManager();
+  int left = 0;
+  for (int i = 0; i < units->GetNumberOfTextureUnits(); ++i)
+  {
+    left += units->IsAllocated(i) ? 0 : 1;
+  }
+  if (left < wanted + UnitsOfProps)
+  {
+    why = "The shadows need " + std::to_string(wanted) + " texture units, and the props " +
+      std::to_string(UnitsOfProps) + ", but the window has only " + std::to_string(left) +
+      " left. Let fewer lights cast shadows: a unit serves four.";
+    return false;
+  }
+  return true;
 }
 }
 
@@ -64,6 +88,10 @@ bool vtkShadowTarget::Reserve(vtkOpenGLRenderWindow* window, int width, int heig
   {
     why = "Depth is reversed or has another range than VTK's. Let the depth function, the depth "
           "range and the clip control be VTK's where shadows are drawn.";
+    return false;
+  }
+  if (!HasTextureUnits(window, masks + (samples.size() > 1 ? 1 : 0), why))
+  {
     return false;
   }
   if (samples != this->RefusedSamples)

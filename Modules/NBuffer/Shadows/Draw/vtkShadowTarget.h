@@ -90,7 +90,8 @@ public:
    * Makes room for images of at least this size in pixels, for this many masks, with these samples
    * of a pixel. If textures on this device cannot have these samples, they get one for each pixel,
    * HasRefusedSamples() is true, and the cause is in `why`. Returns false, with the cause and a
-   * remedy in `why`, if that fails, too. Restores the draw and read framebuffer.
+   * remedy in `why`, if that fails, too, or if the window has too few texture units for so many
+   * masks. Restores the draw and read framebuffer.
    */
   bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
     const SamplePlaces& samples, std::string& why);
