@@ -7,6 +7,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
+#include "vtkDataSetMapper.h"
 
 class CullerRanks : public testing::TestWithParam<std::tuple<int, Spread>>
 {
@@ -197,6 +198,97 @@ TEST(CullerRanksDraw, AWallOfARankWithoutACullerIsNotTrustedWhileTheCameraStands
   // Without its wall that rank has no depth that could become farther.
   EXPECT_EQ(frames.back().Exchanges[0], 0);
 }
+
+namespace
+{
+/// The place of the wall in the list of rank 0. In that of rank 1 the boxes behind it begin there.
+constexpr int WallOfAbsence = 197;
+
+/// What keeps rank 1 from testing while a wall of another rank goes.
+struct Absence
+{
+  const char* Name;
+  std::function<void(RankStages&, bool begins)> Change;
+};
+
+const Absence Absences[] = {
+  { "NoProps",
+    [](RankStages& stages, bool begins)
+    {
+      stages.Both(
+        [begins](Stage& stage)
+        {
+          vtkRenderer* renderer = stage.GetRenderer();
+          for (std::size_t i = WallOfAbsence; i < stage.Props.size(); ++i)
+          {
+            begins ? renderer->RemoveViewProp(stage.Props[i])
+                   : renderer->AddViewProp(stage.Props[i]);
+          }
+        });
+    } },
+  { "Frozen", [](RankStages& stages, bool begins) { stages.Culled.Culler->SetFreeze(begins); } },
+};
+}
+
+class CullerRanksAbsence : public testing::TestWithParam<Absence>
+{
+};
+
+// Hazard: a rank that did not test while a wall of another rank was taken away uses the verdicts of
+// the last frame that it tested.
+TEST_P(CullerRanksAbsence, AWallThatIsTakenAwayMeanwhileHidesNothing)
+{
+  const bool isFrozen = std::string(this->GetParam().Name) == "Frozen";
+  RankOptions options;
+  options.Ranks = 2;
+  options.Frames = 24;
+  options.Path = [](int) { return 0.0; };
+  options.Compares = [isFrozen](int frame) { return !isFrozen || frame < 9 || frame > 17; };
+  options.Build = [](RankStages& stages, int rank)
+  {
+    stages.Both(
+      [rank](Stage& stage)
+      {
+        if (rank == 0)
+        {
+          Scenes::AddBox(stage, 24.0, 12.0, 20.0, 80.0, 0.5, 60.0);
+          return;
+        }
+        stage.GetRenderer()->RemoveAllViewProps();
+        for (int i = 0; i < 40; ++i)
+        {
+          const int box = Scenes::AddBox(
+            stage, 21.0 + i % 8 * 0.8, 30.0 + i / 8 * 2.0, 1.0 + i / 8 * 0.5, 0.6, 0.6, 0.6);
+          // When its prop leaves the renderer, vtkPolyDataMapper gets a newer time.
+          vtkNew<vtkDataSetMapper> mapper;
+          mapper->SetInputData(stage.GetActor(box)->GetMapper()->GetInput());
+          stage.GetActor(box)->SetMapper(mapper);
+        }
+      });
+  };
+  options.Before = [&](RankStages& stages, int rank, int frame)
+  {
+    if (rank == 0 && frame == 9)
+    {
+      stages.Both(
+        [](Stage& stage) { stage.GetActor(WallOfAbsence)->SetPosition(0.0, 0.0, 500.0); });
+    }
+    if (rank == 1 && (frame == 7 || frame == 18))
+    {
+      this->GetParam().Change(stages, frame == 7);
+    }
+  };
+  const std::vector<RankFrame> frames = DrawRanks(options);
+  EXPECT_EQ(frames[6].Drawn[1], 0);
+  EXPECT_EQ(frames[8].Exchanges[0], 0);
+  EXPECT_EQ(frames[9].Exchanges[0], 1);
+  EXPECT_EQ(frames[17].Exchanges[0] == 0, !isFrozen) << "its verdicts are too old";
+  EXPECT_EQ(frames[18].Exchanges[0], 1);
+  EXPECT_EQ(frames.back().Exchanges[0], 0);
+  EXPECT_EQ(frames.back().Drawn[1], 40);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerRanksAbsence, testing::ValuesIn(Absences), GetCaseName);
 
 TEST(CullerRanksDraw, VerdictsOfSharedDepthEndWithTheExchange)
 {

@@ -81,6 +81,8 @@ struct RankOptions
   std::function<void(RankStages&, int rank, int frame)> Before;
   std::function<void(RankStages&, int rank, int frame)> After;
   ///@}
+  /// Says whether the images of a frame are compared. Those of frozen cullers may differ.
+  std::function<bool(int frame)> Compares = [](int) { return true; };
 };
 
 /// Draws the frames on all ranks. Expects that the composited images with and without the culler

@@ -22,6 +22,7 @@ void vtkNBufferSharedDepth::BeginFrame(vtkRenderer* renderer, const Layout& layo
     return;
   }
   this->HasBegun = true;
+  this->FrameTime.Modified();
   this->HasShared = false;
   this->HasPolled = false;
   this->Joined = 0;
@@ -107,6 +108,7 @@ void vtkNBufferSharedDepth::Join(const float* texels)
 {
   const vtkNBufferClock clock;
   const int number = this->Joined++;
+  this->ExchangeTime = this->GetFrameTime();
   this->HasShared = false;
   // If a layout has changed, the loop runs once more: all ranks agree on the new layout and
   // exchange, or find that they do not agree and end here.

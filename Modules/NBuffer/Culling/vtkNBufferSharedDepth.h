@@ -26,6 +26,8 @@
  * The verdicts are valid if no rank's depth has become farther since the last exchange. A rank
  * knows this of its own depth if its culler has found no change, or if the rank gave nothing but
  * the far plane to that exchange. If the poll shows that every rank knows it, nothing is exchanged.
+ * A view that has not tested in a frame with an exchange, because the rank had no props or was
+ * frozen, does not know what that exchange has brought (HasExchangedSince()).
  *
  * ## Layouts
  *
@@ -40,6 +42,9 @@
 #include "vtkNBufferCamera.h"
 #include "vtkNBufferExchangeMessage.h"
 #include "vtkNBufferExchangePlan.h"
+
+#include "vtkTimeStamp.h"
+#include "vtkType.h"
 
 #include <functional>
 #include <set>
@@ -121,6 +126,12 @@ public:
   /// How many candidates the other ranks have reported in the last exchange.
   int GetOtherCandidates() const { return this->OtherCandidates; }
 
+  /// When this frame began. This number grows from frame to frame.
+  vtkMTimeType GetFrameTime() const { return this->FrameTime.GetMTime(); }
+
+  /// Whether a frame that began later than that of `time` had an exchange.
+  bool HasExchangedSince(vtkMTimeType time) const { return this->ExchangeTime > time; }
+
   const Layout& GetLayout() const { return this->Current; }
   const Counts& GetCounts() const { return this->LastCounts; }
 
@@ -140,10 +151,12 @@ private:
   vtkNBufferRankReport Report;
   Counts Frame;
   Counts LastCounts;
-  vtkNBufferViewKey View;    ///< That of the last frame.
-  std::vector<float> Minima; ///< The last reply; it begins with level 0 of all ranks.
-  int Size[2] = { 0, 0 };    ///< The size of level 0, in texels.
-  std::vector<float> Agreed; ///< What all ranks have agreed on; empty if they have not.
+  vtkTimeStamp FrameTime;
+  vtkMTimeType ExchangeTime = 0; ///< GetFrameTime() of the last frame that had an exchange.
+  vtkNBufferViewKey View;        ///< That of the last frame.
+  std::vector<float> Minima;     ///< The last reply; it begins with level 0 of all ranks.
+  int Size[2] = { 0, 0 };        ///< The size of level 0, in texels.
+  std::vector<float> Agreed;     ///< What all ranks have agreed on; empty if they have not.
   bool HasBegun = false;
   bool HasMoved = false;          ///< Whether the view is not that of the last frame.
   bool HasPolled = false;         ///< Whether Poll() was called in this frame.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferStillness.h"
 
+#include "vtkNBufferSharedDepth.h"
+
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -18,7 +20,12 @@ bool vtkNBufferStillness::BeginFrame(vtkRenderer* renderer, const vtkNBufferSett
     std::exchange(this->FirstBlended, traits.GetFirstBlended(this->Drawing.SmoothLines));
   changed = changed || this->FirstBlended != first || !(this->Drawing == drawing) ||
     this->TestSlivers != slivers || this->IsShared != wasShared || this->ErasesDepth != erased ||
-    this->ChangedWhileFrozen;
+    this->ChangedWhileFrozen ||
+    (settings.Shared && settings.Shared->HasExchangedSince(this->SharedTime));
+  if (settings.Shared && !frozen)
+  {
+    this->SharedTime = settings.Shared->GetFrameTime();
+  }
   this->ChangedWhileFrozen = frozen && changed;
   this->Same = !changed && this->ErasesDepth && !traits.UntrackedDepth;
   return this->Same;

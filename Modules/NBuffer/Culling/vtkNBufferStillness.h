@@ -11,7 +11,8 @@
  *
  * In a parallel program this class compares the frames of one rank; vtkNBufferSharedDepth::Poll()
  * finds out about the other ranks. It also counts as a change if depth is shared in only one of the
- * two frames.
+ * two frames, or if ranks have exchanged depth since the last frame of this view that was not
+ * frozen.
  */
 #ifndef vtkNBufferStillness_h
 #define vtkNBufferStillness_h
@@ -19,6 +20,8 @@
 #include "vtkNBufferCompatibility.h"
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferListTraits.h"
+
+#include "vtkType.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
@@ -47,6 +50,8 @@ private:
   bool Same = false;
   bool TestSlivers = false;
   bool IsShared = false;
+  /// vtkNBufferSharedDepth::GetFrameTime() of the last shared frame that was not frozen.
+  vtkMTimeType SharedTime = 0;
   bool ErasesDepth = false;
   /// Whether anything has changed since the last frame that was not frozen.
   bool ChangedWhileFrozen = false;
