@@ -5,9 +5,16 @@
 // not needed.
 #include "RankFrames.h"
 
+#include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkDataSetMapper.h"
+#include "vtkMapper.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
 
 class CullerRanks : public testing::TestWithParam<std::tuple<int, Spread>>
 {
@@ -289,6 +296,58 @@ TEST_P(CullerRanksAbsence, AWallThatIsTakenAwayMeanwhileHidesNothing)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerRanksAbsence, testing::ValuesIn(Absences), GetCaseName);
+
+// Hazard: the rank has no candidates and gives the depth of its finished picture, in which VTK has
+// drawn 2-D props at the near plane. Nothing tells that these have moved.
+TEST(CullerRanksDraw, A2DPropOfARankWithoutCandidatesHidesNothingWhereItWas)
+{
+  RankOptions options;
+  options.Ranks = 2;
+  options.Frames = 14;
+  options.Path = [](int) { return 0.0; };
+  options.Build = [](RankStages& stages, int rank)
+  {
+    stages.Both(
+      [rank](Stage& stage)
+      {
+        vtkRenderer* renderer = stage.GetRenderer();
+        renderer->RemoveAllViewProps();
+        for (int i = 0; i < 197 && rank == 1; ++i)
+        {
+          renderer->AddViewProp(stage.Props[i]);
+        }
+        for (int i = 0; i < 60 && rank == 1; ++i) // In the lower middle of the picture.
+        {
+          Scenes::AddBox(stage, 23.0 + i % 10 * 0.2, 6.0, 0.8 + i / 10 * 0.2, 0.1, 0.1, 0.1);
+        }
+        if (rank == 0)
+        {
+          vtkNew<vtkPlaneSource> plane;
+          plane->SetPoint1(60.0, 0.0, 0.0);
+          plane->SetPoint2(0.0, 60.0, 0.0);
+          vtkNew<vtkPolyDataMapper2D> mapper;
+          mapper->SetInputConnection(plane->GetOutputPort());
+          const auto square = vtkSmartPointer<vtkActor2D>::New();
+          square->SetMapper(mapper);
+          stage.Add(square);
+        }
+      });
+  };
+  options.Before = [](RankStages& stages, int rank, int frame)
+  {
+    if (rank == 0)
+    {
+      stages.Both(
+        [frame](Stage& stage)
+        {
+          auto* square = vtkActor2D::SafeDownCast(stage.Props.back());
+          square->SetPosition(frame < 9 ? 100 : 200, frame < 9 ? 20 : 100);
+        });
+    }
+  };
+  const std::vector<RankFrame> frames = DrawRanks(options);
+  EXPECT_GT(frames.back().Drawn[1], frames[8].Drawn[1]);
+}
 
 TEST(CullerRanksDraw, VerdictsOfSharedDepthEndWithTheExchange)
 {

@@ -108,16 +108,10 @@ public:
   bool ReadParts(std::vector<vtkNBufferSharedState::Uses>& uses) const;
   ///@}
 
-  /**
-   * Whether every change of the depth that the prop writes shows in modification times. Custom
-   * props, level-of-detail actors and shader uniforms may differ from frame to frame without a
-   * newer time.
-   */
-  bool IsTracked() const
-  {
-    return this->Watch.SeesAllChanges() ||
-      (this->Verdict == vtkNBufferVerdict::NotAPlainActor && !this->DepthWriter);
-  }
+  /// Whether every change of the depth that the prop writes shows in modification times. Custom
+  /// props, 2-D props, level-of-detail actors and shader uniforms may differ from frame to frame
+  /// without a newer time.
+  bool IsTracked() const { return this->Watch.SeesAllChanges(); }
 
   /// Whether Refresh() must be called. Only reads modification times, and may run in parallel for
   /// different props. `observedAreUnchanged` is that of vtkNBufferPropWatch::MayHaveChanged().

@@ -18,9 +18,11 @@ VTK_ABI_NAMESPACE_BEGIN
 struct vtkNBufferListTraits
 {
   bool UntrackedDepth = false; ///< The depth of some prop may change without a newer time.
-  bool DepthOffset = false;    ///< The depth of some prop is offset.
-  bool Translucent = false;    ///< Some prop is translucent and may be tested.
-  bool LackOfNormals = false;  ///< Some prop may lack normals.
+  /// The same, stages after the opaque one included: 2-D props and volumes may write depth there.
+  bool UntrackedPicture = false;
+  bool DepthOffset = false;   ///< The depth of some prop is offset.
+  bool Translucent = false;   ///< Some prop is translucent and may be tested.
+  bool LackOfNormals = false; ///< Some prop may lack normals.
   ///@{
   /// The place of the first prop that is blended (vtkNBufferCandidate::IsBlended()), of the first
   /// one with such a part, and of the first one that may draw lines. VTK_INT_MAX if there is none.
@@ -33,6 +35,7 @@ struct vtkNBufferListTraits
   void Add(int i, const vtkNBufferCandidate& candidate)
   {
     this->UntrackedDepth |= candidate.WritesDepth() && !candidate.IsTracked();
+    this->UntrackedPicture |= !candidate.IsTracked();
     this->DepthOffset |= candidate.HasOffset();
     this->Translucent |= candidate.IsTranslucent();
     this->LackOfNormals |= candidate.MayLackNormals();

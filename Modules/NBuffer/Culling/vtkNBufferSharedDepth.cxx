@@ -55,10 +55,11 @@ void vtkNBufferSharedDepth::SetTrial(int hiddenByOwn, int hiddenByAll)
   this->Unhidden = std::max(this->Report.Candidates - hiddenByOwn, 0);
 }
 
-bool vtkNBufferSharedDepth::Poll(bool changed)
+bool vtkNBufferSharedDepth::Poll(bool changed, bool pictureChanged)
 {
   this->HasPolled = true;
-  this->Report.Changed = changed || this->HasMoved || this->GetWanted() != this->Agreed;
+  this->Report.Changed = changed || this->HasMoved || this->GetWanted() != this->Agreed ||
+    (pictureChanged && this->HasGiven && this->GivesPicture);
   if (this->Plan.HasPoll())
   {
     const vtkNBufferClock clock;
@@ -169,6 +170,7 @@ bool vtkNBufferSharedDepth::Merge(vtkNBufferLevels& base)
   float* texels = base.GetLevelData(0);
   if (this->Joined < this->Plan.GetNumberOfExchanges())
   {
+    this->GivesPicture = false;
     this->Join(texels);
   }
   if (!this->HasShared)
@@ -220,10 +222,11 @@ void vtkNBufferSharedDepth::EndFrame(vtkRenderer* renderer, const Layout& layout
   if (!this->HasPolled)
   {
     // Nobody knows whether this rank draws the same as in the last frame.
-    this->Poll(this->HasGiven);
+    this->Poll(this->HasGiven, true);
   }
   if (this->Joined < this->Plan.GetNumberOfExchanges())
   {
+    this->GivesPicture = true;
     std::vector<float> texels;
     const bool hasDepth = this->ReadDepth(renderer, texels);
     while (this->Joined < this->Plan.GetNumberOfExchanges())

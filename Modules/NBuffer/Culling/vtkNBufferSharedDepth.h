@@ -25,9 +25,11 @@
  *
  * The verdicts are valid if no rank's depth has become farther since the last exchange. A rank
  * knows this of its own depth if its culler has found no change, or if the rank gave nothing but
- * the far plane to that exchange. If the poll shows that every rank knows it, nothing is exchanged.
- * A view that has not tested in a frame with an exchange, because the rank had no props or was
- * frozen, does not know what that exchange has brought (HasExchangedSince()).
+ * the far plane to that exchange. If the rank gave the depth of its finished picture, its culler
+ * knows this only if no prop of any stage changes without a newer time. If the poll shows that
+ * every rank knows it, nothing is exchanged. A view that has not tested in a frame with an
+ * exchange, because the rank had no props or was frozen, does not know what that exchange has
+ * brought (HasExchangedSince()).
  *
  * ## Layouts
  *
@@ -92,11 +94,12 @@ public:
 
   /**
    * Join the poll of a frame for which IsShared() is true, if the frame has a poll. `changed` says
-   * whether what this rank draws may have changed since the last frame. Returns whether there is no
+   * whether what this rank draws in the opaque stage may have changed since the last frame, and
+   * `pictureChanged` whether what it draws after that may have. Returns whether there is no
    * exchange, because nothing has changed on any rank and all verdicts of the last frame are still
    * valid. To be called once in a frame, before anything is drawn.
    */
-  bool Poll(bool changed);
+  bool Poll(bool changed, bool pictureChanged);
 
   /// What this rank reports of this frame. The culler sets NewProps, Candidates and, if it
   /// reads the depth, Step. This class sets what is left.
@@ -161,6 +164,7 @@ private:
   bool HasMoved = false;          ///< Whether the view is not that of the last frame.
   bool HasPolled = false;         ///< Whether Poll() was called in this frame.
   bool HasGiven = false;          ///< Whether this rank gave any depth to the last exchange.
+  bool GivesPicture = false;      ///< Whether that depth was the one of its finished picture.
   bool HasShared = false;         ///< Whether Minima is valid for this frame.
   std::set<std::string> Warnings; ///< Those given so far.
   int Joined = 0;

@@ -78,7 +78,8 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Classify(renderer);
   }
   const bool repeats = mayReuse || (isSame && before == Phase::Untested && this->State == before);
-  if (settings.Shared && !settings.Shared->Poll(!repeats) && reuses && !frozen)
+  if (settings.Shared &&
+    !settings.Shared->Poll(!repeats, this->Props.GetTraits().UntrackedPicture) && reuses && !frozen)
   {
     reuses = false;
     this->Classify(renderer);
