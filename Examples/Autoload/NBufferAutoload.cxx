@@ -6,9 +6,9 @@
  *
  * VTK loads every library in the folders of VTK_AUTOLOAD_PATH before it makes its first object by a
  * factory. This one replaces no class: its factory lets the factories behind it make each window
- * and renderer, of whatever class, and observes it. When a frame begins, a renderer gets the culler
- * if it has none, even if the program has emptied its list of cullers. README.md lists the
- * environment variables.
+ * and renderer, of whatever class, and observes it. When a frame begins, a renderer gets a culler
+ * of its own if it has none, even if the program has emptied its list of cullers. README.md lists
+ * the environment variables.
  */
 #include "vtkNBufferCuller.h"
 
@@ -17,10 +17,13 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkObjectFactoryCollection.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkSmartPointer.h"
 #include "vtkVersion.h"
 
 #include <algorithm>
@@ -29,13 +32,14 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <mutex>
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace
 {
-/// The value of an environment variable, split at its commas.
+/// The value of an environment variable, split at its commas, without blanks around the names.
 std::vector<std::string> ReadNames(const char* variable)
 {
   std::vector<std::string> names;
@@ -43,6 +47,8 @@ std::vector<std::string> ReadNames(const char* variable)
   std::istringstream list(value ? value : "");
   for (std::string name; std::getline(list, name, ',');)
   {
+    name.erase(0, name.find_first_not_of(" \t"));
+    name.erase(name.find_last_not_of(" \t") + 1);
     if (!name.empty())
     {
       names.push_back(name);
@@ -57,6 +63,7 @@ struct Record
   std::string Renderer;
   std::string Window;
   int Frames = 0;
+  int FramesWithoutProps = 0; ///< The renderer calls no culler in these.
   long long Hidden = 0;
   long long Drawn = 0;
   std::map<std::string, int> Decisions;
@@ -66,8 +73,10 @@ struct Record
 std::ostream& operator<<(std::ostream& os, const Record& record)
 {
   os << "{\"renderer\": \"" << record.Renderer << "\", \"window\": \"" << record.Window
-     << "\", \"frames\": " << record.Frames << ", \"hidden\": " << record.Hidden
-     << ", \"drawn\": " << record.Drawn << ", \"decisions\": {";
+     << "\", \"frames\": " << record.Frames
+     << ", \"frames_without_props\": " << record.FramesWithoutProps
+     << ", \"hidden\": " << record.Hidden << ", \"drawn\": " << record.Drawn
+     << ", \"decisions\": {";
   const char* separator = "";
   for (const auto& [decision, count] : record.Decisions)
   {
@@ -77,11 +86,17 @@ std::ostream& operator<<(std::ostream& os, const Record& record)
   return os << "}, \"last\": " << record.Last.GetAsJSON() << '}';
 }
 
-/// Observes all windows and renderers.
+/// Observes all windows and renderers, those of several threads, too.
 class Observer : public vtkCommand
 {
 public:
-  static Observer* New() { return new Observer; }
+  /// There is one for the whole program: after vtkObjectFactory::ReHash() another factory goes on
+  /// with the records of the first one.
+  static Observer* GetInstance()
+  {
+    static const auto instance = vtkSmartPointer<Observer>::Take(new Observer);
+    return instance;
+  }
   vtkTypeMacro(Observer, vtkCommand);
 
   void Execute(vtkObject* caller, unsigned long event, void*) override
@@ -118,15 +133,22 @@ public:
 
   void Write(const char* file)
   {
-    while (!this->Records.empty())
-    {
-      this->Forget(this->Records.begin()->first);
-    }
+    const std::lock_guard<std::mutex> lock(this->Mutex);
     std::ofstream os(file);
     os << "{\"vtk\": \"" << vtkVersion::GetVTKVersion() << "\", \"renderers\": [";
-    for (std::size_t i = 0; i < this->Finished.size(); ++i)
+    const char* separator = "\n";
+    const auto write = [&os, &separator](const Record& record)
     {
-      os << (i == 0 ? "\n" : ",\n") << this->Finished[i];
+      if (record.Frames > 0)
+      {
+        os << separator << record;
+        separator = ",\n";
+      }
+    };
+    std::for_each(this->Finished.begin(), this->Finished.end(), write);
+    for (const auto& [renderer, entry] : this->Entries)
+    {
+      write(entry.Frames);
     }
     os << "]}\n";
     if (!os.flush())
@@ -136,6 +158,21 @@ public:
   }
 
 private:
+  struct Entry
+  {
+    /// Two threads cannot draw with one culler.
+    vtkNew<vtkNBufferCuller> Culler;
+    Record Frames;
+  };
+
+  /// The entry of a renderer is used by the thread alone that draws the renderer, and stays where
+  /// it is while other threads add theirs.
+  Entry& GetEntry(vtkRenderer* renderer)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->Entries[renderer];
+  }
+
   /// Renderers of classes that no factory makes are found here.
   void ObserveRenderers(vtkRenderWindow* window)
   {
@@ -171,7 +208,7 @@ private:
     }
     if (!FindCuller(renderer))
     {
-      renderer->AddCuller(this->Culler);
+      renderer->AddCuller(this->GetEntry(renderer).Culler);
     }
     // Some passes use the props of the frame in which they were modified, and would use the list of
     // that frame again.
@@ -184,6 +221,21 @@ private:
     }
   }
 
+  static bool HasVisibleProps(vtkRenderer* renderer)
+  {
+    vtkPropCollection* props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator cookie;
+    props->InitTraversal(cookie);
+    while (vtkProp* prop = props->GetNextProp(cookie))
+    {
+      if (prop->GetVisibility())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void EndFrame(vtkRenderer* renderer)
   {
     const vtkNBufferCuller* culler = FindCuller(renderer);
@@ -191,11 +243,16 @@ private:
     {
       return;
     }
-    Record& record = this->Records[renderer];
+    Record& record = this->GetEntry(renderer).Frames;
     record.Renderer = renderer->GetClassName();
     record.Window = renderer->GetRenderWindow()->GetClassName();
-    record.Last = culler->GetStatistics(renderer);
     ++record.Frames;
+    if (!HasVisibleProps(renderer))
+    {
+      ++record.FramesWithoutProps;
+      return;
+    }
+    record.Last = culler->GetStatistics(renderer);
     ++record.Decisions[vtkNBufferStatistics::GetName(record.Last.Decision)];
     record.Hidden += record.Last.GetCount(vtkNBufferVerdict::Hidden);
     record.Drawn += record.Last.GetNumberOfPropsDrawn();
@@ -203,17 +260,18 @@ private:
 
   void Forget(vtkRenderer* renderer)
   {
-    const auto found = this->Records.find(renderer);
-    if (found != this->Records.end())
+    decltype(this->Entries)::node_type entry; // The culler is deleted after the lock.
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    entry = this->Entries.extract(renderer);
+    if (entry)
     {
-      this->Finished.push_back(found->second);
-      this->Records.erase(found);
+      this->Finished.push_back(entry.mapped().Frames);
     }
   }
 
-  vtkNew<vtkNBufferCuller> Culler;
   const std::vector<std::string> Passes = ReadNames("NBUFFER_KNOWN_PASSES");
-  std::map<vtkRenderer*, Record> Records;
+  std::mutex Mutex; ///< For Entries and Finished.
+  std::map<vtkRenderer*, Entry> Entries;
   std::vector<Record> Finished; ///< The records of renderers that have been deleted.
 };
 
@@ -258,15 +316,16 @@ protected:
 
   vtkObject* CreateObject(const char* className) override
   {
-    if (this->IsBusy ||
+    thread_local bool isBusy = false;
+    if (isBusy ||
       (std::strcmp(className, "vtkRenderWindow") != 0 &&
         std::strcmp(className, "vtkRenderer") != 0))
     {
       return nullptr;
     }
-    this->IsBusy = true;
+    isBusy = true;
     vtkObject* object = vtkObjectFactory::CreateInstance(className);
-    this->IsBusy = false;
+    isBusy = false;
     if (auto* renderer = vtkRenderer::SafeDownCast(object))
     {
       this->Watch->ObserveRenderer(renderer);
@@ -279,8 +338,7 @@ protected:
   }
 
 private:
-  vtkNew<Observer> Watch;
-  bool IsBusy = false;
+  const vtkSmartPointer<Observer> Watch = Observer::GetInstance();
 };
 
 /**

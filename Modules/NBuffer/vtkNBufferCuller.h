@@ -11,7 +11,8 @@
  * @endcode
  *
  * Nothing else is needed. The culler may be added before or after the first Render(), to several
- * renderers of several windows, and removed at any time.
+ * renderers of several windows, and removed at any time. Windows that are drawn in several threads
+ * need a culler each.
  *
  * ## How it decides
  *

@@ -61,13 +61,14 @@ public:
 protected:
   vtkObject* CreateObject(const char* className) override
   {
-    if (this->IsBusy || std::strcmp(className, "vtkRenderWindow") != 0)
+    thread_local bool isBusy = false;
+    if (isBusy || std::strcmp(className, "vtkRenderWindow") != 0)
     {
       return nullptr;
     }
-    this->IsBusy = true;
+    isBusy = true;
     vtkObject* window = vtkObjectFactory::CreateInstance(className);
-    this->IsBusy = false;
+    isBusy = false;
     if (window)
     {
       window->AddObserver(vtkCommand::EndEvent, this->Watch);
@@ -77,7 +78,6 @@ protected:
 
 private:
   vtkNew<Observer> Watch;
-  bool IsBusy = false;
 };
 }
 

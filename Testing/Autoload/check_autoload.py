@@ -4,12 +4,13 @@
 """Runs a program that is not changed with and without the plug-in of Examples/Autoload.
 
     check_autoload.py --plugin FOLDER --sums FOLDER --vtk VERSION --out FOLDER
-        [--set VARIABLE=VALUE]... [--frames N] command...
+        [--set VARIABLE=VALUE]... [--report KEY=NUMBER]... [--frames N] [--any-order] command...
 
 "{out}" in the command stands for the folder of the run, in which the program may write pictures.
 These, and every frame that the plug-in of FrameSums.cxx sees, have to be the same to the byte in both
-runs. The report has to name a renderer in which props were hidden, with the decision Culled in at
-least N frames. Exits with 125 and says SKIPPED where the program is missing or uses another VTK than the plug-in.
+runs, and in the same order without --any-order. The report has to name a renderer in which props were
+hidden, with the decision Culled in at least N frames, and its first renderer has to have the numbers that
+--report gives. Exits with 125 and says SKIPPED where the program is missing or uses another VTK than the plug-in.
 """
 
 import argparse
@@ -73,7 +74,9 @@ def main():
     parser.add_argument("--vtk", required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--set", action="append", default=[])
+    parser.add_argument("--report", action="append", default=[])
     parser.add_argument("--frames", type=int, default=1)
+    parser.add_argument("--any-order", action="store_true")
     parser.add_argument("command", nargs=argparse.REMAINDER)
     arguments = parser.parse_args()
     if os.environ.get("VTK_DEFAULT_OPENGL_WINDOW", "").startswith("vtkX") \
@@ -91,10 +94,16 @@ def main():
         **dict(variable.split("=", 1) for variable in arguments.set)})
     text = report.read_text()
     print(text, end="", flush=True)
-    culled = [renderer["decisions"].get("Culled", 0) for renderer in json.loads(text)["renderers"]
+    renderers = json.loads(text)["renderers"]
+    culled = [renderer["decisions"].get("Culled", 0) for renderer in renderers
               if renderer["hidden"] > 0]
     if max(culled, default=0) < arguments.frames or len(frames) < arguments.frames:
         sys.exit(f"no renderer hid anything in {arguments.frames} frames")
+    for key, number in (words.split("=") for words in arguments.report):
+        if renderers[0].get(key) != int(number):
+            sys.exit(f"{key} is {renderers[0].get(key)} in the report instead of {number}")
+    if arguments.any_order:
+        frames, expected = sorted(frames), sorted(expected)
     if frames != expected:
         sys.exit(f"the plug-in changes {sum(map(str.__ne__, frames, expected))} of "
                  f"{len(expected)} frames and pictures, and there are {len(frames)}")
