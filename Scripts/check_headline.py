@@ -9,6 +9,7 @@ The numbers of props have to be equal; otherwise it exits 1. Times depend on the
 are not within a factor of two.
 """
 
+import argparse
 import json
 import pathlib
 import re
@@ -43,8 +44,18 @@ def compare(text, walk):
 
 
 def main():
-    walk = json.loads(pathlib.Path(sys.argv[1]).read_text())
-    faults, notes = compare((ROOT / "README.md").read_text(), walk)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("walk", type=pathlib.Path, help="the file of nbuffer-bench walk --json")
+    file = parser.parse_args().walk
+    text = (ROOT / "README.md").read_text()
+    try:
+        faults, notes = compare(text, json.loads(file.read_text()))
+    except (OSError, ValueError) as error:
+        raise SystemExit(f"check_headline.py: cannot read {file}: {error}") from error
+    except (KeyError, TypeError) as error:
+        raise SystemExit(f"check_headline.py: {file} is no walk in the modes stock, nbuffer and oracle: "
+                         f"{error}") from error
     for note in notes:
         print(f"another machine, or another load: {note}")
     print("\n".join(faults) if faults else "the numbers of props are those of README.md")

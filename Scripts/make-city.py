@@ -20,6 +20,7 @@ import pathlib
 import re
 import sys
 import xml.etree.ElementTree
+import zlib
 
 EARTH_RADIUS = 6371008.8  # metres
 SMALLEST_BUILDING = 4.0  # square metres
@@ -160,7 +161,12 @@ def main():
     parser.add_argument("extract", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
     options = parser.parse_args()
-    buildings, streets, left_out = read(options.extract)
+    try:
+        buildings, streets, left_out = read(options.extract)
+    except (OSError, EOFError, zlib.error, xml.etree.ElementTree.ParseError, TypeError,
+            ValueError) as error:
+        raise SystemExit(f"make-city.py: cannot read {options.extract} as XML of OpenStreetMap "
+                         f"(.osm, .osm.bz2 or .osm.gz): {error}") from error
     corners = [point for _, _, points in buildings for point in points]
     centre = [nearest((min(axis) / 1e7 + max(axis) / 1e7) * 5e6) / 1e7 for axis in zip(*corners)]
     made = list(make_buildings(buildings, centre))
@@ -187,8 +193,11 @@ def main():
         writer.unsigned(kinds.index(kind))
         writer.points(points)
     # No name and no time: the file depends on its contents alone.
-    with open(options.output, "wb") as file, gzip.GzipFile("", "wb", 9, file, 0) as packed:
-        packed.write(writer.bytes)
+    try:
+        with open(options.output, "wb") as file, gzip.GzipFile("", "wb", 9, file, 0) as packed:
+            packed.write(writer.bytes)
+    except OSError as error:
+        raise SystemExit(f"make-city.py: {error}") from error
     sources = [source for _, source, _ in made]
     print(f"{len(made)} buildings; left out: {len(buildings) - len(made)} too small, "
           + ", ".join(f"{count} {why}" for why, count in left_out.items()))

@@ -52,6 +52,19 @@ class MakeCity(unittest.TestCase):
         self.assertIn('no closed way with the tag "building"', run.stderr)
         self.assertFalse(self.city.exists())
 
+    def test_an_extract_that_cannot_be_read_is_an_error(self):
+        for text, reason in (("OSMHeader", "syntax error"), ("<osm>", "no element found"),
+                             ('<osm><node id="1" lat="x" lon="0"/></osm>', "could not convert")):
+            run = self.run_script(text)
+            self.assertEqual(run.returncode, 1)
+            self.assertRegex(run.stderr, rf"^make-city.py: cannot read .*town.osm .*{reason}.*\n$")
+        self.extract = self.extract.with_suffix(".osm.gz")
+        self.assertRegex(self.run_script("plain").stderr, r"^make-city.py: .*: Not a gzipped file.*\n$")
+        self.extract.unlink()
+        run = subprocess.run([sys.executable, SCRIPT, self.extract, self.city],
+                             capture_output=True, text=True)
+        self.assertRegex(run.stderr, r"^make-city.py: .*No such file.*\n$")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -131,6 +131,21 @@ class CheckHeadline(unittest.TestCase):
     def test_no_headline(self):
         self.assertEqual(len(self.faults(text="Nothing.")[0]), 1)
 
+    def run_script(self, *arguments):
+        done = subprocess.run([sys.executable, check_headline.__file__, *arguments],
+                              capture_output=True, text=True)
+        self.assertNotIn("Traceback", done.stderr)
+        return done.returncode
+
+    def test_no_walk(self):
+        self.assertEqual((self.run_script("--help"), self.run_script()), (0, 2))
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "walk.json")
+            for text in ("{", "[]", '{"modes": {}}', '{"props": 1, "modes": {"stock": 1}}'):
+                file.write_text(text)
+                self.assertEqual(self.run_script(str(file)), 1)
+            self.assertEqual(self.run_script(folder + "/none.json"), 1)
+
 
 if __name__ == "__main__":
     unittest.main()
