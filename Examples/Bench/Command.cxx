@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
 
+#include "SizeOption.h"
+
 #include "vtkActor.h"
 #include "vtkProperty.h"
 #include "vtkVersion.h"
@@ -34,12 +36,8 @@ void ViewOptions::AddTo(CLI::App& command, const std::string& program)
   command.add_option("--path", this->Path,
     "street, rooftop, drone, cuts, aside (few of the props in view) or orbit, or a path that the "
     "scene has of its own; default: street in a city, orbit elsewhere");
-  command.add_option("--size", this->Window.Size, "Width and height of the image in pixels")
-    ->delimiter('x')
-    ->check(CLI::Range(1, 16384))
-    ->type_name("WxH")
-    ->default_str(
-      std::to_string(this->Window.Size[0]) + "x" + std::to_string(this->Window.Size[1]));
+  NBufferExamples::AddSizeOption(
+    command, this->Window.Size, "Width and height of the image in pixels");
   command.add_option("--frames", this->Frames, "Frames of the path")->check(CLI::Range(1, 1000000));
   command
     .add_option("--of", this->PathFrames,

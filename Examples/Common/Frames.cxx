@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <stdexcept>
@@ -84,6 +85,24 @@ void WritePNG(vtkImageData* image, const std::string& fileName)
   if (writer->GetErrorCode() != vtkErrorCode::NoError)
   {
     throw std::runtime_error("cannot write " + fileName);
+  }
+}
+
+void CheckDisplay(vtkRenderWindow* window, bool isShown, const std::string& option)
+{
+  const bool isX = window->IsA("vtkXOpenGLRenderWindow");
+  const char* display = std::getenv("DISPLAY");
+  if (isX && (!display || !*display))
+  {
+    throw std::runtime_error(
+      "this VTK draws in X windows only, and DISPLAY is not set; xvfb-run has a display in memory");
+  }
+  const bool isInMemory =
+    window->IsA("vtkOSOpenGLRenderWindow") || window->IsA("vtkEGLRenderWindow");
+  if (isShown && isInMemory)
+  {
+    throw std::runtime_error(std::string("no window can be opened: VTK chose a ") +
+      window->GetClassName() + ", which draws in memory; use " + option + ", or set DISPLAY");
   }
 }
 

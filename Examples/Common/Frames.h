@@ -37,6 +37,10 @@ void CheckWritable(const std::string& fileName);
 /// Throws std::runtime_error if the file cannot be written.
 void WritePNG(vtkImageData* image, const std::string& fileName);
 
+/// Throws std::runtime_error if a window cannot be drawn (VTK ends the program where it finds no X
+/// server) or, if `isShown`, cannot be seen; `option` is what draws a picture instead.
+void CheckDisplay(vtkRenderWindow* window, bool isShown, const std::string& option);
+
 /// Makes the graphics context of a window now, so that its time is not part of the first frame.
 /// Throws std::runtime_error if there is no OpenGL.
 void PrepareWindow(vtkRenderWindow* window);

@@ -11,8 +11,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <stdexcept>
 #include <string>
 
 namespace NBufferView
@@ -25,31 +23,12 @@ double GetClock()
     std::chrono::steady_clock::now().time_since_epoch())
     .count();
 }
-
-/// VTK ends the program where it finds no X server, so that this is found out before.
-void CheckDisplay(vtkRenderWindow* window, bool isShown)
-{
-  const bool isX = window->IsA("vtkXOpenGLRenderWindow");
-  const char* display = std::getenv("DISPLAY");
-  if (isX && (!display || !*display))
-  {
-    throw std::runtime_error(
-      "this VTK draws in X windows only, and DISPLAY is not set; xvfb-run has a display in memory");
-  }
-  const bool isInMemory =
-    window->IsA("vtkOSOpenGLRenderWindow") || window->IsA("vtkEGLRenderWindow");
-  if (isShown && isInMemory)
-  {
-    throw std::runtime_error(std::string("no window can be opened: VTK chose a ") +
-      window->GetClassName() + ", which draws in memory; use --offscreen FILE, or set DISPLAY");
-  }
-}
 }
 
 View::View(const NBufferExamples::Scene& scene, std::array<int, 2> size, bool isShown)
   : Parts(scene)
 {
-  CheckDisplay(this->Window, isShown);
+  NBufferExamples::CheckDisplay(this->Window, isShown, "--offscreen FILE");
   this->Window->SetOffScreenRendering(isShown ? 0 : 1);
   this->Window->SetMultiSamples(0);
   this->Window->SetSize(size[0], size[1]);

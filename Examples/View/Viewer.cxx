@@ -71,6 +71,7 @@ Viewer::Viewer(const NBufferExamples::Scene& scene, std::array<int, 2> size, boo
   this->Flight->SetDefaultUpVector(up);
   this->Flight->RestoreUpVectorOn();
   this->Flight->SetMotionStepSize(this->Where.GetStep() / scene.GetBounds().GetDiagonalLength());
+  this->Flight->SetUseTimers(isShown); // Only the interactor of a shown window has timers.
   for (vtkInteractorStyle* style :
     std::initializer_list<vtkInteractorStyle*>{ this->Orbit, this->Flight })
   {

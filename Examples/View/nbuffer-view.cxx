@@ -7,6 +7,7 @@
 #include "FileFormats.h"
 #include "Frames.h"
 #include "LoadScene.h"
+#include "SizeOption.h"
 #include "Viewer.h"
 
 #include <CLI/CLI.hpp>
@@ -116,11 +117,7 @@ int main(int argc, char* argv[])
   app.add_option(
     "--offscreen", options.Picture, "Write a picture (PNG) to this file; no window is opened");
   app.add_option("--keys", options.Keys, "Keys to press at first, such as \"c s Up Up v\"");
-  app.add_option("--size", options.Size, "Of the window, in pixels")
-    ->delimiter('x')
-    ->check(CLI::Range(1, 16384))
-    ->type_name("WxH")
-    ->default_str("1280x800");
+  NBufferExamples::AddSizeOption(app, options.Size, "Of the window, in pixels");
   app.add_flag("--whole", options.Whole,
     "A file with one mesh stays one part, instead of one for each connected region");
   app.add_option("--up", options.Up, "The axis that points up: x, y or z; default: by the format")

@@ -79,6 +79,7 @@ def test_units(picture):
     check(frames == 3, f"units are hidden in {frames} of 3 frames")
     for printed, folder in drawn:
         check("; 0 bytes differ\n" in printed, f"{folder.name} the culler: {printed}")
+        check(("with the culler" in printed) == (folder.name == "with"), f"{folder.name}: {printed}")
     check_same_picture(picture, drawn)
 
 

@@ -245,6 +245,7 @@ def test_keys():
     check(draw(wall, "Up Left Prior v i")[1] != plain, "the camera does not walk")
     check(draw(wall, "Up Left Prior r i")[1] == plain, "the camera does not go home")
     check(draw(wall, "w o @100,90>140,90 i")[1] != plain, "the mouse does not turn the camera")
+    draw(wall, "w @10,10>50,50")
     check(draw(wall, "h i")[1] != plain, "there is no list of keys")
     printed, _ = draw(wall, "t v a @2,2")
     check(printed.count("times as fast") == 2, printed)
