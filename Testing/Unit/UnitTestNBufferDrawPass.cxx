@@ -118,6 +118,32 @@ TEST(NBufferDrawPass, FollowsTheMapper)
   }
 }
 
+// Hazard: an actor that has begun to share a mapper is never attached, because the culler that
+// looks for large props has gone.
+TEST(NBufferDrawPass, GoesWithTheLastActorOfItsMapper)
+{
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkActor> actors[3];
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkProp* props[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    actors[i]->SetMapper(mapper);
+    props[i] = actors[i];
+  }
+  const auto pass = vtkNBufferDrawPass::Get(window);
+  pass->Attach(actors[0]);
+  pass->Attach(actors[1]);
+  vtkNBufferDrawPass::Follow(window, props, 3);
+  pass->Detach(actors[0]);
+  EXPECT_EQ(CountPasses(actors[0]), 0);
+  EXPECT_EQ(CountPasses(actors[2]), 1) << "the mapper is still divided";
+  pass->Detach(actors[1]);
+  EXPECT_EQ(CountPasses(actors[1]), 0);
+  EXPECT_EQ(CountPasses(actors[2]), 0);
+  EXPECT_FALSE(pass->IsAttachedTo(mapper));
+}
+
 // The pass is never detached from an actor that is deleted. A new actor may be made at its address
 // (the allocator uses an address again soon), and must get the pass.
 TEST(NBufferDrawPass, ForgetsActorsThatWereDeleted)

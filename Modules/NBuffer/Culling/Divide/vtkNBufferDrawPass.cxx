@@ -79,6 +79,7 @@ void vtkNBufferDrawPass::Follow(vtkWindow* window, vtkProp** props, int count)
     if (actor && actor->GetMapper() && mappers.count(actor->GetMapper()))
     {
       pass->AddUser(actor);
+      pass->HasFollowers = true;
     }
   }
 }
@@ -141,6 +142,39 @@ void vtkNBufferDrawPass::Detach(vtkActor* actor)
     return;
   }
   this->Users.erase(user);
+  this->RemoveFrom(actor);
+  if (this->HasFollowers)
+  {
+    this->RemoveFromFollowers();
+  }
+}
+
+void vtkNBufferDrawPass::RemoveFromFollowers()
+{
+  std::unordered_set<vtkMapper*> attached;
+  for (const auto& [address, user] : this->Users)
+  {
+    attached.insert(user.Actor && user.Count > 0 ? user.Actor->GetMapper() : nullptr);
+  }
+  this->HasFollowers = false;
+  for (auto user = this->Users.begin(); user != this->Users.end();)
+  {
+    vtkActor* actor = user->second.Actor;
+    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+    const bool isAttached = user->second.Count > 0;
+    const bool follows =
+      !isAttached && mapper && (attached.count(mapper) > 0 || IsKeptWhole(mapper));
+    if (actor && !isAttached && !follows)
+    {
+      this->RemoveFrom(actor);
+    }
+    this->HasFollowers = this->HasFollowers || follows;
+    user = isAttached || follows ? std::next(user) : this->Users.erase(user);
+  }
+}
+
+void vtkNBufferDrawPass::RemoveFrom(vtkActor* actor)
+{
   vtkInformation* keys = actor->GetPropertyKeys();
   vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
   if (keys && passes->Length(keys) > 0)

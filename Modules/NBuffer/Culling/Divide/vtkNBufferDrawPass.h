@@ -56,7 +56,7 @@ public:
 
   /// Give the pass of a window to those of the props that have begun to share the mapper of an
   /// actor that has it. For frames in which nothing looks for large props. They are attached
-  /// later, or keep the pass.
+  /// later, or lose the pass when no attached actor has their mapper any more (Detach()).
   static void Follow(vtkWindow* window, vtkProp** props, int count);
 
   /// Whether the pass is attached to an actor with this mapper.
@@ -107,11 +107,16 @@ private:
   /// The actor's entry, new and with the pass in the actor's keys if there was none.
   User& AddUser(vtkActor* actor);
   void AddTo(vtkActor* actor);
+  void RemoveFrom(vtkActor* actor);
+  /// Remove the pass from the actors that Follow() has found, except where an attached actor has
+  /// the same mapper, or the mapper is kept whole.
+  void RemoveFromFollowers();
 
   std::shared_ptr<Registry> Owner; ///< The passes of all windows, kept until the last pass ends.
   vtkWindow* Window = nullptr;     ///< The key of this pass in the registry.
   std::function<void(vtkAbstractMapper*, vtkProp*)> Callback;
   std::map<vtkActor*, User> Users; ///< If an actor has been deleted, its User::Actor is null.
+  bool HasFollowers = false;       ///< Whether Follow() may have found some of them.
   std::size_t UsersToCheck = 16;   ///< From this number on, deleted actors are removed.
 };
 
