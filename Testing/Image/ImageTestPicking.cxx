@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Selecting and picking: an application finds the same props with and without the culler, even
 // those that are hidden.
+#include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "Scenes.h"
 
 #include "vtkAreaPicker.h"
 #include "vtkCellPicker.h"
 #include "vtkDataObject.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointPicker.h"
+#include "vtkPolyData.h"
 #include "vtkProp3DCollection.h"
 #include "vtkPropPicker.h"
+#include "vtkProperty.h"
 #include "vtkRenderedAreaPicker.h"
+#include "vtkSphereSource.h"
 #include "vtkWorldPointPicker.h"
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -132,6 +138,55 @@ TEST(CullerPicking, HardwareSelectionOfPartsOfTheWindow)
     }
   }
   EXPECT_GT(found, Wall::Behind);
+}
+
+// Hazard: a selector of points draws the buffers that composite data draws by, and what it makes
+// for points stays. VTK has them made before by an ordinary frame.
+TEST(CullerPicking, PointSelectionOfHiddenBlocks)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      vtkNew<vtkSphereSource> source;
+      source->LatLongTessellationOn(); // Quads have other indices as triangles than as points.
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        source->SetCenter(i, 0.0, 0.0);
+        source->Update();
+        vtkNew<vtkPolyData> sphere;
+        sphere->DeepCopy(source->GetOutput());
+        blocks->SetBlock(i, sphere);
+      }
+      vtkNew<CompositeMapper> mapper;
+      mapper->SetInputDataObject(blocks);
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      actor->SetPosition(-0.5, 0.3, -3.0);
+      actor->SetScale(2.0);
+      stage.Add(actor);
+    });
+  const int hidden = Wall::Count;
+  for (const char* when : { "never drawn", "drawn before it changed" })
+  {
+    Scenes::FramesOfWall(comparison, { 0.0, 0.1, 0.2 });
+    EXPECT_EQ(comparison.GetVerdict(hidden), Verdict::Hidden) << when;
+    EXPECT_GT(
+      ExpectSameSelection(comparison, WholeWindow, vtkDataObject::FIELD_ASSOCIATION_POINTS), 5);
+    comparison.Frame(when);
+    EXPECT_EQ(comparison.GetVerdict(hidden), Verdict::Hidden) << when;
+    const auto moveWall = [&comparison](double z) {
+      comparison.Both([z](Stage& stage) { stage.GetActor(Wall::Index)->AddPosition(0.0, 0.0, z); });
+    };
+    moveWall(100.0);
+    comparison.Frame(std::string(when) + ", uncovered");
+    EXPECT_EQ(comparison.GetVerdict(hidden), Verdict::Visible) << when;
+    moveWall(-100.0);
+    Scenes::FramesOfWall(comparison, { 0.0, 0.1 });
+    comparison.Both(
+      [hidden](Stage& stage) { stage.GetActor(hidden)->GetProperty()->SetColor(0.1, 0.9, 0.2); });
+  }
 }
 
 // Hazard: frozen verdicts are those of another camera; a selection needs all props in view of the

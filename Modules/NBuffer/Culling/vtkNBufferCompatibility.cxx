@@ -169,6 +169,20 @@ bool IsOtherBehind(vtkCullerCollection* cullers, vtkCuller* self)
   }
   return false;
 }
+
+/// Whether this may be the ordinary frame that a hardware selector of points draws before it
+/// becomes the renderer's selector. In that frame VTK makes the buffers of props that have changed.
+/// A prop that is not drawn in it gets buffers of points, which vtkCompositePolyDataMapper draws by
+/// from then on. The frame is known by the settings that the selector has changed for the sake of
+/// its own frames.
+bool PrecedesPointSelection(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  const double* background = renderer->GetBackground();
+  return !window->GetSwapBuffers() && window->GetMultiSamples() == 0 &&
+    !renderer->GetGradientBackground() &&
+    std::all_of(background, background + 3, [](double value) { return value == 0.0; });
+}
 }
 
 namespace vtkNBufferCompatibility
@@ -281,7 +295,7 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self, vtkProp** prop
   {
     return vtkNBufferDecision::Delegated;
   }
-  if (renderer->GetSelector())
+  if (renderer->GetSelector() || PrecedesPointSelection(renderer))
   {
     return vtkNBufferDecision::Selecting;
   }
