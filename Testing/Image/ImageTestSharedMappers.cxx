@@ -183,7 +183,9 @@ TEST(CullerOwnActors, ThatShareAMapperAreFollowed)
   Comparison comparison(
     [&kind](Stage& stage) { BuildPair<OwnSharedActor>(stage, kind, [](vtkActor*) {}); }, options);
   const int first = static_cast<int>(comparison.Culled.Props.size()) - 2;
-  Scenes::FrameOfWall(comparison, 0.0, "alike");
+  Scenes::FrameOfWall(comparison, 0.0, "first draw");
+  EXPECT_EQ(comparison.GetVerdict(first), Verdict::SharedMapper) << "the other one may be older";
+  Scenes::FrameOfWall(comparison, 0.1, "alike");
   EXPECT_EQ(comparison.GetVerdict(first), Verdict::Visible);
   const auto getLast = [](Stage& stage)
   { return stage.GetActor(static_cast<int>(stage.Props.size()) - 1); };
@@ -269,6 +271,88 @@ const SharedWay SharedWays[] = {
 const MapperKind MapperKinds[] = { { "PolyData", MakeMapper<vtkPolyDataMapper> },
   { "DataSet", MakeMapper<vtkDataSetMapper> }, { "Composite", MakeCompositeMapper } };
 }
+
+struct HiddenSharer : NamedCase
+{
+  bool IsAddedLater;
+  double X; ///< 0 behind the wall.
+};
+
+class CullerHiddenSharers : public testing::TestWithParam<std::tuple<HiddenSharer, MapperKind>>
+{
+};
+
+// Hazard: VTK makes the shader property of an actor at its first draw, and a new one makes the
+// mapper rebuild its shaders. If a hidden actor is drawn for the first time because it has just got
+// a backface, the next actor of the mapper lacks the property that these shaders need, and VTK
+// crashes.
+TEST_P(CullerHiddenSharers, GetABackface)
+{
+  const auto& [sharer, kind] = this->GetParam();
+  const auto add = [x = sharer.X](Stage& stage, vtkMapper* mapper, bool isHidden)
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetScale(isHidden ? 1.0 : 2.5);
+    actor->SetPosition(isHidden ? x : 0.0, 0.3, isHidden ? -8.0 : 6.0);
+    stage.Add(actor);
+  };
+  ComparisonOptions options;
+  options.Tuning.RoundSize = 1;
+  options.CompareDraws = false;      // They are counted by mapper.
+  options.KeepDefaultCuller = false; // It leaves out what is outside.
+  Comparison comparison(
+    [&, isAddedLater = sharer.IsAddedLater, &kind = kind](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      const vtkSmartPointer<vtkMapper> mapper = kind.Make();
+      mapper->ScalarVisibilityOff(); // Scalars replace the colors of backfaces.
+      if (!isAddedLater)
+      {
+        add(stage, mapper, true);
+      }
+      add(stage, mapper, false);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    options);
+  Scenes::FramesOfWall(comparison, { 0.0, 0.1, 0.2 });
+  int hidden = static_cast<int>(comparison.Culled.Props.size()) - 2;
+  if (sharer.IsAddedLater)
+  {
+    comparison.Both([&, last = hidden + 1](Stage& stage)
+      { add(stage, stage.GetActor(last)->GetMapper(), true); });
+    hidden += 2;
+    Scenes::FrameOfWall(comparison, 0.3, "first draw");
+    EXPECT_EQ(comparison.GetVerdict(hidden), Verdict::SharedMapper);
+    Scenes::FramesOfWall(comparison, { 0.4, 0.5 });
+  }
+  EXPECT_EQ(comparison.GetVerdict(hidden), sharer.X == 0.0 ? Verdict::Hidden : Verdict::Outside);
+  comparison.Both(
+    [hidden](Stage& stage)
+    {
+      vtkNew<vtkProperty> property;
+      property->SetColor(1.0, 0.0, 0.0);
+      stage.GetActor(hidden)->SetBackfaceProperty(property);
+    });
+  Scenes::FramesOfWall(comparison, { 0.5, 0.6 });
+  EXPECT_EQ(comparison.GetVerdict(hidden), Verdict::SharedMapper);
+  comparison.Both(
+    [hidden](Stage& stage)
+    {
+      stage.GetActor(hidden)->SetPosition(0.0, 0.3, -8.0);
+      stage.GetActor(Scenes::Wall::Index)->VisibilityOff();
+    });
+  Scenes::FramesOfWall(comparison, { 0.6, 0.7 });
+}
+
+const HiddenSharer HiddenSharers[] = { { { "BehindTheWall" }, false, 0.0 },
+  { { "Outside" }, false, 1000.0 }, { { "AddedBehindTheWall" }, true, 0.0 },
+  { { "AddedOutside" }, true, 1000.0 } };
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerHiddenSharers,
+  testing::Combine(testing::ValuesIn(HiddenSharers), testing::ValuesIn(MapperKinds)),
+  [](const testing::TestParamInfo<CullerHiddenSharers::ParamType>& info)
+  { return std::string(std::get<0>(info.param).Name) + std::get<1>(info.param).Name; });
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerSharedMappers,
   testing::Combine(testing::ValuesIn(SharedWays), testing::ValuesIn(MapperKinds)),

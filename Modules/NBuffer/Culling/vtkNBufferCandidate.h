@@ -178,6 +178,8 @@ struct vtkNBufferState
   /// Whether the prop is deferred: it is Inside, but its rectangle has not been computed yet.
   bool RectangleIsStale = false;
 
+  bool FirstDrawIsDue = false; ///< See vtkNBufferFirstDraws.
+
   /// Whether every change of the prop invokes an event (vtkNBufferPropWatch::IsWhollyObserved()).
   bool Observed = false;
 

@@ -3,6 +3,7 @@
 #include "vtkNBufferCandidateList.h"
 
 #include "vtkNBufferDrawPass.h"
+#include "vtkNBufferFirstDraws.h"
 #include "vtkNBufferForEachProp.h"
 
 #include "vtkActor.h"
@@ -251,6 +252,7 @@ void vtkNBufferCandidateList::FindSharedState()
       this->Tree.HasChanged(static_cast<int>(i));
     }
   }
+  vtkNBufferFirstDraws::Find(this->Candidates.GetItems(), mappersOfParts, this->States);
   this->SharesState = this->SharesState || otherParameters ||
     std::any_of(this->OtherShaders.begin(), this->OtherShaders.end(),
       [&mappersOfParts](const vtkMapper* mapper) { return mappersOfParts.count(mapper); });

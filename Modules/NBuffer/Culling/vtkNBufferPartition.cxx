@@ -4,6 +4,7 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferCoarseDepth.h"
+#include "vtkNBufferFirstDraws.h"
 #include "vtkNBufferProjection.h"
 
 #include <algorithm>
@@ -29,6 +30,12 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify(
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
     vtkNBufferState& state = this->Props.GetState(i);
+    if (vtkNBufferFirstDraws::IsDue(state, this->Props.GetProp(i)))
+    {
+      state.Verdict = vtkNBufferVerdict::SharedMapper;
+      state.WasVisible = true;
+      continue;
+    }
     if (state.Verdict == vtkNBufferVerdict::Translucent)
     {
       ++counts.Candidates;
