@@ -88,7 +88,8 @@ endfunction ()
 #   [OPTIONS <options>...] [LIBRARIES <libraries>...] [HEADERS <headers>...] TARGETS <targets>...)
 #
 # The targets use the precompiled headers of the standard library, of VTK's data and the given ones.
-# These belong to a target <name> of one empty file, which is compiled with the options.
+# These belong to a target <name> of one empty file, which is compiled with the options. Shared
+# libraries have other options for position-independent code, and use none.
 function (_nbuffer_share_headers name)
   if (NOT VTKNBUFFER_PRECOMPILE_HEADERS)
     return()
@@ -105,7 +106,10 @@ function (_nbuffer_share_headers name)
       ${_nbuffer_standard_headers} ${_nbuffer_data_headers} ${arg_HEADERS})
   endif ()
   foreach (target IN LISTS arg_TARGETS)
-    target_precompile_headers(${target} REUSE_FROM ${name})
+    get_target_property(type ${target} TYPE)
+    if (NOT type STREQUAL "SHARED_LIBRARY")
+      target_precompile_headers(${target} REUSE_FROM ${name})
+    endif ()
   endforeach ()
 endfunction ()
 

@@ -70,6 +70,7 @@ public:
   /// Set whether another prop uses one of these objects in another way. Only the list of all props
   /// knows this.
   void SetSharesState(bool shares) { this->SharesState = shares; }
+  bool GetSharesState() const { return this->SharesState; }
 
   /// The box of a prop with a placement, in world coordinates.
   const vtkNBufferBox& GetBox() const { return this->Box; }

@@ -66,8 +66,7 @@ void vtkNBufferFirstDraws::Find(const std::vector<vtkNBufferCandidate>& candidat
     states[i].FirstDrawIsDue = actors.IsAnyDrawn;
     // Actors that use the mapper in several ways are drawn anyway, and the times of their shader
     // properties decide by whose shaders.
-    if (!actors.IsAnyDrawn && actors.NumberOfUndrawn > 1 &&
-      candidates[i].GetVerdict() != vtkNBufferVerdict::SharedMapper)
+    if (!actors.IsAnyDrawn && actors.NumberOfUndrawn > 1 && !candidates[i].GetSharesState())
     {
       candidates[i].GetProp()->GetShaderProperty();
     }
