@@ -11,8 +11,9 @@
  * shaders that draw all of them. VTK crashes if these shaders read a backface property that the
  * next actor does not have. Therefore:
  *
- * - As long as none of the actors that share a mapper has been drawn, their shader properties are
- *   made before the first of them is drawn, so that the shaders are newer than all of them.
+ * - As long as none of the actors that share a mapper, and use it in the same way, has been drawn,
+ *   their shader properties are made before the first of them is drawn, so that the shaders are
+ *   newer than all of them. (Those that use it in several ways are all drawn, in their order.)
  * - If one of them has been drawn already, those that are added later are drawn once, even if they
  *   are hidden or outside of the view. Whether an actor has been drawn, its shader property tells.
  */
