@@ -172,12 +172,39 @@ NamedScenario DividedPropsLeaveTheList(DefaultCuller culler)
   scene.ExpectVerdict({ other }, Verdict::SharedMapper);
   return scene.Finish();
 }
+
+/// Large props that share a mapper have been divided and leave the renderer's list. When they come
+/// back, one of them needs other shaders. The first of them still has those that it had before.
+NamedScenario DividedPropsComeBackChanged()
+{
+  HazardBuilder scene("DividedPropsComeBackChanged");
+  scene.Scene.Culler.MinimumNumberOfPrimitives = 2;
+  const int first = scene.Sphere({ -2.0, 0.0, 0.0 }, 1.5).Id;
+  Prop& second = scene.Sphere({ 0.0, 0.0, 0.0 }, 1.0);
+  second.Position.x = 2.0;
+  second.MapperOf = first;
+  const int other = second.Id;
+  scene.Scene.Props[first].Flat = scene.Scene.Props[other].Flat = true;
+  scene.Sphere({ 2.0, 40.0, 0.0 }, 1.0);
+  scene.LookAtWall();
+  Walk(scene, 2);
+  for (const double visible : { 0.0, 1.0 })
+  {
+    Walk(scene, 1);
+    scene.Change(ChangeKind::Visible, first, { visible });
+    scene.Change(ChangeKind::Visible, other, { visible });
+  }
+  scene.Change(ChangeKind::Representation, other, { static_cast<double>(VTK_WIREFRAME) });
+  Walk(scene, 2);
+  scene.ExpectVerdict({ first }, Verdict::SharedMapper);
+  return scene.Finish();
+}
 }
 
 std::vector<NamedScenario> GetSharedHazards()
 {
   return { TexturesOfPropsOutside(), SurfaceAndWireframe(), HiddenActorMakesShaders(),
     DividedPropsLeaveTheList(DefaultCuller::NoTakeOver),
-    DividedPropsLeaveTheList(DefaultCuller::Removed) };
+    DividedPropsLeaveTheList(DefaultCuller::Removed), DividedPropsComeBackChanged() };
 }
 }

@@ -6,7 +6,7 @@
 #include "ShadowShapes.h"
 
 #include "vtkNBufferGlyphs.h"
-#include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferProtectedGlyphs.h"
 #include VTKNBUFFER_GL_HEADER
 
 #include "vtkActor.h"

@@ -40,12 +40,12 @@ TEST(NBufferDrawPass, StaysUntilItIsDetachedAsOftenAsAttached)
   pass->Attach(actor);
   pass->Attach(actor);
   EXPECT_EQ(CountPasses(actor), 1);
-  EXPECT_TRUE(pass->IsAttachedTo(mapper));
+  EXPECT_TRUE(pass->IsUsedBy(mapper));
   pass->Detach(actor);
   EXPECT_EQ(CountPasses(actor), 1);
   pass->Detach(actor);
   EXPECT_EQ(CountPasses(actor), 0);
-  EXPECT_FALSE(pass->IsAttachedTo(mapper));
+  EXPECT_FALSE(pass->IsUsedBy(mapper));
 }
 
 // Hazard: actors that have used a mapper in several ways leave the renderer's list. Without the
@@ -66,7 +66,7 @@ TEST(NBufferDrawPass, StaysAttachedWhereTheMapperIsKeptWhole)
     pass->Attach(actor);
     EXPECT_EQ(CountPasses(actor), 1);
   }
-  EXPECT_TRUE(pass->IsAttachedTo(mapper));
+  EXPECT_TRUE(pass->IsUsedBy(mapper));
 }
 
 // Hazard: the application replaces the property keys of a divided actor, which is drawn whole from
@@ -141,7 +141,7 @@ TEST(NBufferDrawPass, GoesWithTheLastActorOfItsMapper)
   pass->Detach(actors[1]);
   EXPECT_EQ(CountPasses(actors[1]), 0);
   EXPECT_EQ(CountPasses(actors[2]), 0);
-  EXPECT_FALSE(pass->IsAttachedTo(mapper));
+  EXPECT_FALSE(pass->IsUsedBy(mapper));
 }
 
 // The pass is never detached from an actor that is deleted. A new actor may be made at its address

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferGlyphs.h"
 
-#include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferProtectedGlyphs.h"
 
 #include "vtkBitArray.h"
 #include "vtkDataArray.h"

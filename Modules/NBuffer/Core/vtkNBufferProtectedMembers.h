@@ -11,11 +11,8 @@
 #ifndef vtkNBufferProtectedMembers_h
 #define vtkNBufferProtectedMembers_h
 
-#include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkObject.h"
-#include "vtkOpenGLBufferObject.h"
-#include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -23,15 +20,13 @@
 #include "vtkProp.h"
 #include "vtkTimeStamp.h"
 
+#include "vtkNBufferPropertyKeys.h"
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkDataArray;
-class vtkDataSet;
 class vtkScalarsToColors;
 class vtkShaderProperty;
 
@@ -131,56 +126,17 @@ inline std::size_t GetNumberOfVertices(vtkOpenGLPolyDataMapper* mapper)
   return static_cast<std::size_t>((mapper->*Access::Get())->GetNumberOfTuples("vertexMC"));
 }
 
-/// The buffers that the internal mapper of a vtkGlyph3DMapper has uploaded for its instances.
-struct InstanceBuffers
+/// Whether a render pass was among the property keys of an actor when a mapper last drew it.
+inline bool HasDrawnWith(vtkOpenGLPolyDataMapper* mapper, const vtkObjectBase* pass)
 {
-  vtkOpenGLBufferObject* Matrices;
-  vtkOpenGLBufferObject* NormalMatrices;
-  vtkOpenGLBufferObject* Colors;
-  vtkMTimeType BuildTime; ///< When they were uploaded.
-  vtkMTimeType LoadTime;  ///< When they were attached to the vertex array.
-};
-
-/// The buffers of instances, or nothing if the instances are drawn one by one.
-inline std::optional<InstanceBuffers> GetInstanceBuffers(vtkOpenGLGlyph3DHelper* mapper)
-{
-  struct Access : vtkOpenGLGlyph3DHelper
+  struct Access : vtkOpenGLPolyDataMapper
   {
-    static std::optional<InstanceBuffers> Get(vtkOpenGLGlyph3DHelper* mapper)
-    {
-      if (!(mapper->*&Access::UsingInstancing))
-      {
-        return std::nullopt;
-      }
-      return InstanceBuffers{ mapper->*&Access::MatrixBuffer, mapper->*&Access::NormalMatrixBuffer,
-        mapper->*&Access::ColorBuffer, (mapper->*&Access::InstanceBuffersBuildTime).GetMTime(),
-        (mapper->*&Access::InstanceBuffersLoadTime).GetMTime() };
-    }
+    static auto Get() { return &Access::PrimitiveInfo; }
   };
-  return Access::Get(mapper);
-}
-
-/// The arrays from which a vtkGlyph3DMapper makes its instances; null where one is not used.
-struct GlyphArrays
-{
-  vtkDataArray* Mask;
-  vtkDataArray* Orientation;
-  vtkDataArray* Scale;
-  vtkDataArray* SourceIndex;
-};
-
-inline GlyphArrays GetGlyphArrays(vtkGlyph3DMapper* mapper, vtkDataSet* data)
-{
-  struct Access : vtkGlyph3DMapper
-  {
-    static GlyphArrays Get(vtkGlyph3DMapper* mapper, vtkDataSet* data)
-    {
-      return { (mapper->*&Access::GetMaskArray)(data),
-        (mapper->*&Access::GetOrientationArray)(data), (mapper->*&Access::GetScaleArray)(data),
-        (mapper->*&Access::GetSourceIndexArray)(data) };
-    }
-  };
-  return Access::Get(mapper, data);
+  const auto& streams = mapper->*Access::Get();
+  return std::any_of(streams.begin(), streams.end(),
+    [pass](const auto& stream)
+    { return vtkNBufferPropertyKeys::HasPass(stream.second.LastRenderPassInfo, pass); });
 }
 
 /// The lookup table of a mapper, or nullptr. vtkMapper::GetLookupTable() would create one.

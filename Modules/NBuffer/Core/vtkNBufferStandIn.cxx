@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferStandIn.h"
 
+#include "vtkNBufferPropertyKeys.h"
+
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkNew.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLRenderPass.h"
 
@@ -19,29 +20,12 @@ vtkNBufferStandIn::ForwardedKeys::ForwardedKeys(vtkNBufferStandIn* standIn, vtkP
   {
     return;
   }
-  if (!to->GetPropertyKeys())
-  {
-    vtkNew<vtkInformation> keys;
-    to->SetPropertyKeys(keys);
-  }
-  this->To = to->GetPropertyKeys();
-  const auto has = [this, passes](vtkObjectBase* pass)
-  {
-    for (int i = 0; i < passes->Length(this->To); ++i)
-    {
-      if (passes->Get(this->To, i) == pass)
-      {
-        return true;
-      }
-    }
-    return false;
-  };
+  this->To = vtkNBufferPropertyKeys::Get(to);
   for (int i = 0; i < passes->Length(from); ++i)
   {
-    if (vtkObjectBase* pass = passes->Get(from, i); !has(pass))
+    if (vtkNBufferPropertyKeys::AddPass(this->To, passes->Get(from, i)))
     {
-      passes->Append(this->To, pass);
-      this->Added.push_back(pass);
+      this->Added.push_back(passes->Get(from, i));
     }
   }
   this->SetsDepthMask = from->Has(depthMask) && !this->To->Has(depthMask);
@@ -57,14 +41,9 @@ vtkNBufferStandIn::ForwardedKeys::~ForwardedKeys()
   {
     return;
   }
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
   for (vtkObjectBase* pass : this->Added)
   {
-    passes->Remove(this->To, pass);
-  }
-  if (passes->Length(this->To) == 0)
-  {
-    this->To->Remove(passes);
+    vtkNBufferPropertyKeys::RemovePass(this->To, pass);
   }
   if (this->SetsDepthMask)
   {

@@ -18,6 +18,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
@@ -166,6 +167,12 @@ vtkPolyData* vtkNBufferSurface::GetOnlyPolyData(vtkMapper* mapper)
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   return input && typeid(*input) == typeid(vtkPolyData) ? static_cast<vtkPolyData*>(input)
                                                         : nullptr;
+}
+
+vtkOpenGLPolyDataMapper* vtkNBufferSurface::GetDrawingMapper(vtkMapper* mapper)
+{
+  auto* extracts = vtkDataSetMapper::SafeDownCast(mapper);
+  return vtkOpenGLPolyDataMapper::SafeDownCast(extracts ? extracts->GetPolyDataMapper() : mapper);
 }
 
 std::vector<vtkTexture*> vtkNBufferSurface::GetTextures(vtkActor* actor)

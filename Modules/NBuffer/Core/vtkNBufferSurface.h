@@ -33,6 +33,7 @@ class vtkActor;
 class vtkGeometryFilter;
 class vtkMapper;
 class vtkMatrix4x4;
+class vtkOpenGLPolyDataMapper;
 class vtkPolyData;
 class vtkProperty;
 class vtkTexture;
@@ -69,6 +70,10 @@ public:
   /// The input of a plain mapper if it is a single vtkPolyData, and no subclass, which the mapper
   /// draws as it is; otherwise nullptr.
   static vtkPolyData* GetOnlyPolyData(vtkMapper* mapper);
+
+  /// The mapper that draws a mesh for this one, which is another one for vtkDataSetMapper; nullptr
+  /// for composite data and glyphs.
+  static vtkOpenGLPolyDataMapper* GetDrawingMapper(vtkMapper* mapper);
 
   /// The textures of an actor and of its property, which is created if it is missing.
   static std::vector<vtkTexture*> GetTextures(vtkActor* actor);

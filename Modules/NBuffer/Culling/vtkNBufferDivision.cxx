@@ -54,8 +54,7 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
     {
       continue;
     }
-    if (vtkNBufferLargeProps::MayBeDivided(candidate) ||
-      this->Pass->IsAttachedTo(actor->GetMapper()))
+    if (vtkNBufferLargeProps::MayBeDivided(candidate) || this->Pass->IsUsedBy(actor->GetMapper()))
     {
       Entry entry;
       entry.Place = i;

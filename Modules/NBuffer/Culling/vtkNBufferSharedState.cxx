@@ -8,7 +8,6 @@
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
 #include "vtkLookupTable.h"
@@ -137,9 +136,7 @@ vtkNBufferSharedState::Use GetPointsUse(vtkMapper* mapper)
 /// When a mapper has made its shaders. 0 if it has made none, or if that is not known.
 double GetShaderTime(vtkMapper* mapper)
 {
-  auto* extracts = vtkDataSetMapper::SafeDownCast(mapper);
-  auto* draws =
-    vtkOpenGLPolyDataMapper::SafeDownCast(extracts ? extracts->GetPolyDataMapper() : mapper);
+  vtkOpenGLPolyDataMapper* draws = vtkNBufferSurface::GetDrawingMapper(mapper);
   return draws ? static_cast<double>(vtkNBufferProtectedMembers::GetShaderTime(draws)) : 0.0;
 }
 

@@ -4,11 +4,10 @@
 
 #include "vtkNBufferClock.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferPropertyKeys.h"
 #include "vtkShadowLightList.h"
 
 #include "vtkActor2D.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -166,40 +165,18 @@ void vtkShadowOpaqueStage::JoinProps(const vtkRenderState* state)
 {
   // vtkOpenGLRenderPass::PreRender() does the same, but once for each prop: where props share their
   // property keys, the pass would be among them several times.
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
   {
-    vtkProp* prop = state->GetPropArray()[i];
-    if (!prop->GetPropertyKeys())
-    {
-      prop->SetPropertyKeys(vtkSmartPointer<vtkInformation>::New());
-    }
-    vtkInformation* keys = prop->GetPropertyKeys();
-    bool isThere = false;
-    for (int k = 0; k < keys->Length(passes); ++k)
-    {
-      isThere = isThere || keys->Get(passes, k) == this->Pass;
-    }
-    if (!isThere)
-    {
-      keys->Append(passes, this->Pass);
-    }
+    vtkNBufferPropertyKeys::AddPass(
+      vtkNBufferPropertyKeys::Get(state->GetPropArray()[i]), this->Pass);
   }
 }
 
 void vtkShadowOpaqueStage::LeaveProps(const vtkRenderState* state)
 {
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
   {
-    if (vtkInformation* keys = state->GetPropArray()[i]->GetPropertyKeys())
-    {
-      keys->Remove(passes, this->Pass);
-      if (keys->Length(passes) == 0)
-      {
-        keys->Remove(passes);
-      }
-    }
+    vtkNBufferPropertyKeys::RemovePass(state->GetPropArray()[i]->GetPropertyKeys(), this->Pass);
   }
 }
 

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferDrawPass.h"
 
+#include "vtkNBufferPropertyKeys.h"
+#include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferSurface.h"
+
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkWindow.h"
 
 #include <algorithm>
@@ -98,34 +101,14 @@ vtkNBufferDrawPass::User& vtkNBufferDrawPass::AddUser(vtkActor* actor)
   if (!user.Actor)
   {
     user = { actor, 0 };
-    this->AddTo(actor);
+    vtkNBufferPropertyKeys::AddPass(vtkNBufferPropertyKeys::Get(actor), this);
   }
   return user;
 }
 
-void vtkNBufferDrawPass::AddTo(vtkActor* actor)
-{
-  if (!actor->GetPropertyKeys())
-  {
-    vtkNew<vtkInformation> keys;
-    actor->SetPropertyKeys(keys);
-  }
-  vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), this);
-}
-
 bool vtkNBufferDrawPass::AttachAgain(vtkActor* actor)
 {
-  vtkInformation* keys = actor->GetPropertyKeys();
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  for (int i = 0; keys && i < passes->Length(keys); ++i)
-  {
-    if (passes->Get(keys, i) == this)
-    {
-      return false;
-    }
-  }
-  this->AddTo(actor);
-  return true;
+  return vtkNBufferPropertyKeys::AddPass(vtkNBufferPropertyKeys::Get(actor), this);
 }
 
 void vtkNBufferDrawPass::Attach(vtkActor* actor)
@@ -142,7 +125,7 @@ void vtkNBufferDrawPass::Detach(vtkActor* actor)
     return;
   }
   this->Users.erase(user);
-  this->RemoveFrom(actor);
+  vtkNBufferPropertyKeys::RemovePass(actor->GetPropertyKeys(), this);
   if (this->HasFollowers)
   {
     this->RemoveFromFollowers();
@@ -166,32 +149,20 @@ void vtkNBufferDrawPass::RemoveFromFollowers()
       !isAttached && mapper && (attached.count(mapper) > 0 || IsKeptWhole(mapper));
     if (actor && !isAttached && !follows)
     {
-      this->RemoveFrom(actor);
+      vtkNBufferPropertyKeys::RemovePass(actor->GetPropertyKeys(), this);
     }
     this->HasFollowers = this->HasFollowers || follows;
     user = isAttached || follows ? std::next(user) : this->Users.erase(user);
   }
 }
 
-void vtkNBufferDrawPass::RemoveFrom(vtkActor* actor)
+bool vtkNBufferDrawPass::IsUsedBy(vtkMapper* mapper) const
 {
-  vtkInformation* keys = actor->GetPropertyKeys();
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  if (keys && passes->Length(keys) > 0)
-  {
-    passes->Remove(keys, this);
-    if (passes->Length(keys) == 0)
-    {
-      keys->Remove(passes);
-    }
-  }
-}
-
-bool vtkNBufferDrawPass::IsAttachedTo(vtkMapper* mapper) const
-{
-  return std::any_of(this->Users.begin(), this->Users.end(),
-    [mapper](const auto& entry)
-    { return entry.second.Actor && entry.second.Actor->GetMapper() == mapper; });
+  vtkOpenGLPolyDataMapper* draws = vtkNBufferSurface::GetDrawingMapper(mapper);
+  return (draws && vtkNBufferProtectedMembers::HasDrawnWith(draws, this)) ||
+    std::any_of(this->Users.begin(), this->Users.end(),
+      [mapper](const auto& entry)
+      { return entry.second.Actor && entry.second.Actor->GetMapper() == mapper; });
 }
 
 void vtkNBufferDrawPass::KeepWhole(vtkMapper* mapper)

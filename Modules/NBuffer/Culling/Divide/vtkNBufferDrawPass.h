@@ -59,8 +59,10 @@ public:
   /// later, or lose the pass when no attached actor has their mapper any more (Detach()).
   static void Follow(vtkWindow* window, vtkProp** props, int count);
 
-  /// Whether the pass is attached to an actor with this mapper.
-  bool IsAttachedTo(vtkMapper* mapper) const;
+  /// Whether the pass is attached to an actor with this mapper, or was when the mapper drew last:
+  /// then the mapper would make its shaders anew if it drew without the pass. The last draw is not
+  /// known for composite data and glyphs.
+  bool IsUsedBy(vtkMapper* mapper) const;
 
   ///@{
   /// Mark a mapper that must not get a reason to make its shaders anew: that of an actor whose uses
@@ -106,8 +108,6 @@ private:
 
   /// The actor's entry, new and with the pass in the actor's keys if there was none.
   User& AddUser(vtkActor* actor);
-  void AddTo(vtkActor* actor);
-  void RemoveFrom(vtkActor* actor);
   /// Remove the pass from the actors that Follow() has found, except where an attached actor has
   /// the same mapper, or the mapper is kept whole.
   void RemoveFromFollowers();

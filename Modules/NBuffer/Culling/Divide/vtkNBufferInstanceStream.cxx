@@ -5,7 +5,7 @@
 #include "vtkNBufferBox.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferGlyphs.h"
-#include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferProtectedGlyphs.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
