@@ -6,7 +6,6 @@
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferLargeProps.h"
 #include "vtkNBufferPartition.h"
-#include "vtkNBufferTieQuery.h"
 #include "vtkNBufferViewSetup.h"
 
 #include "vtkActor.h"
@@ -26,19 +25,19 @@ vtkNBufferDivision::Entry* vtkNBufferDivision::Find(int place)
   return found != this->Entries.end() && found->Place == place ? &*found : nullptr;
 }
 
-bool vtkNBufferDivision::IsDrawnByUnits(int place)
+vtkNBufferDividedProp* vtkNBufferDivision::FindActive(int place)
 {
   const Entry* entry = this->Find(place);
-  return entry && entry->IsActive;
+  return entry && entry->IsActive ? entry->Prop.get() : nullptr;
 }
 
 vtkNBufferVerdict vtkNBufferDivision::GetVerdict(int place, std::optional<int> part)
 {
   const vtkNBufferVerdict whole = this->Props.GetState(place).Verdict;
-  const Entry* entry = this->Find(place);
-  const bool isInParts = part && entry && entry->IsActive && entry->Prop->IsReady() &&
-    whole != vtkNBufferVerdict::Outside && whole != vtkNBufferVerdict::Hidden;
-  return isInParts ? entry->Prop->GetVerdict(*part) : whole;
+  vtkNBufferDividedProp* prop = this->FindActive(place);
+  const bool isInParts = part && prop && prop->IsReady() && whole != vtkNBufferVerdict::Outside &&
+    whole != vtkNBufferVerdict::Hidden;
+  return isInParts ? prop->GetVerdict(*part) : whole;
 }
 
 void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
@@ -62,7 +61,7 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
       this->Entries.insert(std::lower_bound(this->Entries.begin(), this->Entries.end(), i,
                              [](const Entry& other, int place) { return other.Place < place; }),
         std::move(entry));
-      this->Trial->Restart();
+      this->Trial.Restart();
     }
   }
 }
@@ -159,7 +158,7 @@ bool vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
   this->Count(last);
   const bool isAnyTested = std::any_of(this->Entries.begin(), this->Entries.end(),
     [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
-  if (isAnyTested && !this->Trial->DrawsUnits(renderer, settings, last))
+  if (isAnyTested && !this->Trial.DrawsUnits(renderer, settings, last))
   {
     this->Reset();
     return false;
@@ -169,7 +168,7 @@ bool vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
     if (entry.IsActive || entry.IsPending)
     {
       entry.Prop->FindKept(entry.Projection);
-      const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+      const vtkNBufferUnitCulling::Counts& units = entry.Prop->GetCulling().GetCounts();
       const int inside = units.Units - units.Outside;
       const int kept = entry.IsKept ? units.Kept : 0;
       counts.Inside += inside;
@@ -195,7 +194,7 @@ bool vtkNBufferDivision::HoldsUnits() const
   return std::any_of(this->Entries.begin(), this->Entries.end(),
     [](const Entry& entry)
     {
-      const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+      const vtkNBufferUnitCulling::Counts& units = entry.Prop->GetCulling().GetCounts();
       return entry.IsActive && !entry.IsHeldBack && units.Units > units.Outside + units.Kept;
     });
 }
@@ -203,21 +202,25 @@ bool vtkNBufferDivision::HoldsUnits() const
 bool vtkNBufferDivision::HasKeptInVain() const
 {
   return std::any_of(this->Entries.begin(), this->Entries.end(),
-    [](const Entry& entry) { return entry.IsActive && entry.Prop->CountKeptInVain() > 0; });
+    [](const Entry& entry)
+    { return entry.IsActive && entry.Prop->GetCulling().CountKeptInVain() > 0; });
 }
 
 int vtkNBufferDivision::CountHidden(const vtkNBufferLevels& levels) const
 {
   return std::accumulate(this->Entries.begin(), this->Entries.end(), 0,
     [&levels](int count, const Entry& entry)
-    { return entry.IsActive ? count + entry.Prop->CountHidden(entry.Projection, levels) : count; });
+    {
+      return entry.IsActive ? count + entry.Prop->GetCulling().CountHidden(entry.Projection, levels)
+                            : count;
+    });
 }
 
 void vtkNBufferDivision::MarkOutside(vtkNBufferPartition& partition)
 {
   for (Entry& entry : this->Entries)
   {
-    const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+    const vtkNBufferUnitCulling::Counts& units = entry.Prop->GetCulling().GetCounts();
     if (entry.IsActive && units.Units == units.Outside &&
       this->Props.GetCandidate(entry.Place).IsCandidate())
     {
@@ -262,7 +265,7 @@ bool vtkNBufferDivision::Test(
       isAll = false;
       continue;
     }
-    const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+    const vtkNBufferUnitCulling::Counts& units = entry.Prop->GetCulling().GetCounts();
     // A unit outside saves work as well: without division it is sent to the device.
     entry.BackOff.Learn(units.Units - units.Kept - units.Fresh, units.Units);
     if (fresh == 0 && isLeft)
@@ -289,7 +292,7 @@ void vtkNBufferDivision::TestTranslucent(const vtkNBufferDividedProp::Depth& dep
       continue;
     }
     entry.Prop->TestAll(entry.Projection, depth);
-    const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+    const vtkNBufferUnitCulling::Counts& units = entry.Prop->GetCulling().GetCounts();
     entry.BackOff.Learn(units.Units - units.Fresh, units.Units);
     entry.IsActive = true; // Its units count, so that the tests of a hidden prop are worth it.
     if (units.Fresh == 0)
@@ -331,63 +334,10 @@ void vtkNBufferDivision::AddMissing(std::vector<int>& places)
   places.erase(std::unique(places.begin(), places.end()), places.end());
 }
 
-std::optional<bool> vtkNBufferDivision::HasTies(int place, const std::function<int()>& drawWhole)
-{
-  Entry* entry = this->Find(place);
-  if (!entry || !entry->IsActive || !entry->Prop->HasFewFresh())
-  {
-    return {};
-  }
-  // The boxes of units of one mesh touch each other everywhere, but fragments of equal depth are
-  // few, and there are often none.
-  return vtkNBufferTieQuery::HasTies([&]() { entry->Prop->TryFresh(drawWhole); });
-}
-
 int vtkNBufferDivision::Draw(int place, const std::function<int()>& drawWhole)
 {
   Entry* entry = this->Find(place);
   return entry && entry->IsDrawnHere() ? entry->Prop->Draw(drawWhole) : drawWhole();
-}
-
-int vtkNBufferDivision::DrawAgain(int place, const std::function<int()>& drawWhole)
-{
-  Entry* entry = this->Find(place);
-  return entry && entry->IsActive ? entry->Prop->DrawAgain(drawWhole) : drawWhole();
-}
-
-bool vtkNBufferDivision::HasDrawnAll(int place)
-{
-  const Entry* entry = this->Find(place);
-  return entry && entry->Prop->HasDrawnAll();
-}
-
-int vtkNBufferDivision::Render(int place, vtkRenderer* renderer)
-{
-  Entry* entry = this->Find(place);
-  return entry && entry->IsActive ? entry->Prop->Render(renderer)
-                                  : this->Props.GetProp(place)->RenderOpaqueGeometry(renderer);
-}
-
-void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProjection& projection,
-  std::vector<vtkNBufferDrawnProp>& drawn)
-{
-  const vtkNBufferDrawnProp whole = this->Props.GetDrawn(place, round);
-  Entry* entry = this->Find(place);
-  if (!entry || !entry->IsActive || !entry->Prop->HasFresh())
-  {
-    drawn.push_back(whole);
-    return;
-  }
-  for (const vtkNBufferUnits::Box& group : entry->Prop->GetFreshGroups())
-  {
-    vtkNBufferDrawnProp part = whole;
-    // The box of a prop that is no candidate is an estimate of VTK.
-    const bool isCandidate = this->Props.GetCandidate(place).IsCandidate();
-    part.KeepsScissor = part.KeepsScissor || !isCandidate;
-    entry->Prop->SetPlace(group, !isCandidate, part.Box);
-    part.Bounded = projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
-    drawn.push_back(part);
-  }
 }
 
 int vtkNBufferDivision::GetLevelsNeeded(int width, int height, int factor) const

@@ -23,9 +23,7 @@
 #include "vtkNBufferCullingPolicy.h"
 #include "vtkNBufferDividedProp.h"
 #include "vtkNBufferDrawPass.h"
-#include "vtkNBufferTieOrder.h"
 #include "vtkNBufferUnitTrial.h"
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -49,9 +47,6 @@ public:
     : Props(props)
   {
   }
-  ~vtkNBufferDivision() { this->Trial->Detach(); }
-  vtkNBufferDivision(const vtkNBufferDivision&) = delete;
-  void operator=(const vtkNBufferDivision&) = delete;
 
   /// Begin a frame, after the candidates have been brought up to date.
   void Update(vtkRenderer* renderer, const vtkNBufferSettings& settings);
@@ -114,34 +109,16 @@ public:
   /// view, and the postponed prop; then sort `places`. From now on all props are drawn whole.
   void AddMissing(std::vector<int>& places);
 
-  /// Whether the fresh units of a prop have fragments with the depth of an earlier draw
-  /// (vtkNBufferTieQuery::HasTies()). If not, the prop need not be drawn once more because of them.
-  /// Returns nullopt without a query unless fewer units are fresh than have been drawn.
-  std::optional<bool> HasTies(int place, const std::function<int()>& drawWhole);
-
-  ///@{
-  /// Draw by calling `drawWhole`: what is to be drawn next of a prop, or, with DrawAgain(), what
-  /// has been drawn of it already. A prop that is not drawn unit by unit is drawn whole.
+  /// Draw what is to be drawn next of a prop by calling `drawWhole`: the whole prop if it is not
+  /// drawn unit by unit. Returns the number of props drawn.
   int Draw(int place, const std::function<int()>& drawWhole);
-  int DrawAgain(int place, const std::function<int()>& drawWhole);
-  ///@}
 
-  /// Whether the last draw of a prop drew all of its units, because VTK has changed what it draws.
-  bool HasDrawnAll(int place);
-
-  /// Draw a prop itself; `drawWhole` calls this function.
-  int Render(int place, vtkRenderer* renderer);
-
-  /// Whether only some units of a prop are drawn in this frame.
-  bool IsDrawnByUnits(int place);
+  /// The prop at a place if it is drawn unit by unit in this frame, otherwise nullptr.
+  vtkNBufferDividedProp* FindActive(int place);
 
   /// The verdict of a prop or, if it is drawn unit by unit, of the unit to which a part of it
   /// belongs (vtkNBufferDividedProp::GetVerdict()).
   vtkNBufferVerdict GetVerdict(int place, std::optional<int> part);
-
-  /// Describe for vtkNBufferTieOrder what the next Draw() of a prop draws.
-  void DescribeNext(int place, int round, const vtkNBufferProjection& projection,
-    std::vector<vtkNBufferDrawnProp>& drawn);
 
   /// The number of levels that it takes to test units in a viewport of width x height pixels: the
   /// boxes of groups of units may cover much of it. It is 1 if no units are tested in this frame.
@@ -170,7 +147,7 @@ private:
   void FindLarge(const std::vector<int>& places);
   vtkNBufferCandidateList& Props;
   vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< The pass of the window.
-  vtkNew<vtkNBufferUnitTrial> Trial;
+  vtkNBufferUnitTrial Trial;
   vtkNBufferUnitDevice Device;
   std::vector<Entry> Entries; ///< In the order of their places.
   int ListNumber = -1;        ///< vtkNBufferCandidateList::GetListNumber() of the places.

@@ -9,12 +9,12 @@
 #include "vtkNBufferGL.h"
 #include "vtkNBufferPartition.h"
 #include "vtkNBufferScissor.h"
+#include "vtkNBufferTieQuery.h"
 
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <functional>
-#include <optional>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -31,27 +31,61 @@ vtkNBufferLateDraws::vtkNBufferLateDraws(vtkNBufferCandidateList& props,
 
 int vtkNBufferLateDraws::DrawWhole(vtkRenderer* renderer, int place)
 {
+  vtkProp* prop = this->Props.GetProp(place);
+  vtkNBufferDividedProp* units = this->Division.FindActive(place);
   return this->Proxy->Draw(
-    this->Props.GetProp(place), [&]() { return this->Division.Render(place, renderer); });
+    prop, [&]() { return units ? units->Render(renderer) : prop->RenderOpaqueGeometry(renderer); });
+}
+
+int vtkNBufferLateDraws::DrawAgain(vtkRenderer* renderer, int place)
+{
+  const auto drawWhole = [&]() { return this->DrawWhole(renderer, place); };
+  vtkNBufferDividedProp* units = this->Division.FindActive(place);
+  return units ? units->DrawAgain(drawWhole) : drawWhole();
+}
+
+void vtkNBufferLateDraws::DescribeNext(
+  const vtkNBufferDividedProp* units, const vtkNBufferDrawnProp& whole)
+{
+  if (!units || !units->HasFresh())
+  {
+    this->Drawn.push_back(whole);
+    return;
+  }
+  const vtkNBufferUnitCulling& culling = units->GetCulling();
+  for (const vtkNBufferUnits::Box& group : culling.GetUnits().GetGroups(culling.GetFresh()))
+  {
+    vtkNBufferDrawnProp part = whole;
+    // The box of a prop that is no candidate is an estimate of VTK.
+    const bool isCandidate = this->Props.GetCandidate(whole.Index).IsCandidate();
+    part.KeepsScissor = part.KeepsScissor || !isCandidate;
+    units->SetPlace(group, !isCandidate, part.Box);
+    part.Bounded = this->Projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
+    this->Drawn.push_back(part);
+  }
 }
 
 int vtkNBufferLateDraws::Draw(vtkRenderer* renderer, int place, int round, double time)
 {
   this->Props.GetProp(place)->SetAllocatedRenderTime(time, renderer);
   const auto drawWhole = [&]() { return this->DrawWhole(renderer, place); };
-  const std::optional<bool> ties = this->Division.HasTies(place, drawWhole);
-  this->TieQueries += ties ? 1 : 0;
-  const std::size_t first = this->Drawn.size();
-  this->Division.DescribeNext(place, round, this->Projection, this->Drawn);
-  for (std::size_t i = first; i < this->Drawn.size(); ++i)
+  vtkNBufferDividedProp* units = this->Division.FindActive(place);
+  vtkNBufferDrawnProp whole = this->Props.GetDrawn(place, round);
+  if (units && units->HasFewFresh())
   {
-    this->Drawn[i].MayTie = ties.value_or(true);
+    // The boxes of units of one mesh touch each other everywhere, but fragments of equal depth are
+    // few, and there are often none.
+    whole.MayTie = vtkNBufferTieQuery::HasTies([&]() { units->TryFresh(drawWhole); });
+    ++this->TieQueries;
   }
+  const std::size_t first = this->Drawn.size();
+  this->DescribeNext(units, whole);
   const int drawn = this->Division.Draw(place, drawWhole);
-  if (this->Division.HasDrawnAll(place))
+  if (units && units->HasDrawnAll())
   {
     this->Drawn.resize(first); // It may tie outside of its fresh units, too.
-    this->Drawn.push_back(this->Props.GetDrawn(place, round));
+    whole.MayTie = true;
+    this->Drawn.push_back(whole);
   }
   return drawn;
 }
@@ -79,8 +113,7 @@ int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer, const std::vector<int>& h
     {
       vtkProp* heldBackProp = this->Props.GetProp(prop.Index);
       heldBackProp->SetAllocatedRenderTime(heldBackProp->GetAllocatedRenderTime(), renderer);
-      drawn += this->Division.DrawAgain(
-        prop.Index, [&]() { return this->DrawWhole(renderer, prop.Index); });
+      drawn += this->DrawAgain(renderer, prop.Index);
     }
   }
   return drawn;
@@ -109,7 +142,7 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
     {
       all.push_back(this->Props.GetDrawn(i, 0));
       // Units are triangles or points, also those of a prop that is no candidate.
-      all.back().KeepsScissor = all.back().KeepsScissor || this->Division.IsDrawnByUnits(i);
+      all.back().KeepsScissor = all.back().KeepsScissor || this->Division.FindActive(i);
     }
   }
   for (vtkNBufferDrawnProp& drawn : all)
@@ -142,9 +175,7 @@ int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer,
     // Render passes have set their keys only on the props of the list: neither on those that were
     // held back nor on translucent props, which have a proxy in the list.
     const int place = all[redraw.Position].Index;
-    draws += vtkNBufferGL::DrawIn(redraw.Regions,
-      [&]()
-      { this->Division.DrawAgain(place, [&]() { return this->DrawWhole(renderer, place); }); });
+    draws += vtkNBufferGL::DrawIn(redraw.Regions, [&]() { this->DrawAgain(renderer, place); });
   }
   return draws;
 }

@@ -6,7 +6,7 @@
 #include "vtkNBufferGL.h"
 #include "vtkNBufferStatistics.h"
 
-#include "vtkRenderer.h"
+#include "vtkCommand.h"
 
 #include VTKNBUFFER_GL_HEADER
 
@@ -61,6 +61,14 @@ void vtkNBufferContest::CountFrame(double milliseconds)
   this->First = this->Second = std::numeric_limits<double>::infinity();
 }
 
+vtkNBufferUnitTrial::~vtkNBufferUnitTrial()
+{
+  if (this->Observed)
+  {
+    this->Observed->RemoveObserver(this->Observer);
+  }
+}
+
 bool vtkNBufferUnitTrial::DrawsUnits(
   vtkRenderer* renderer, const vtkNBufferSettings& settings, const vtkNBufferStatistics& last)
 {
@@ -77,25 +85,19 @@ bool vtkNBufferUnitTrial::DrawsUnits(
     this->Contest.CountFrame(0.0);
     return hasUnits;
   }
-  if (this->Observed != renderer)
+  // An application that removes its own observers may remove this one with them.
+  if (this->Observer == 0 || !renderer->GetCommand(this->Observer))
   {
-    renderer->AddObserver(vtkCommand::EndEvent, this);
     this->Observed = renderer;
+    this->Observer =
+      renderer->AddObserver(vtkCommand::EndEvent, this, &vtkNBufferUnitTrial::EndFrame);
   }
   glFinish();
   this->Clock.Restart();
   return hasUnits;
 }
 
-void vtkNBufferUnitTrial::Detach()
-{
-  if (this->Observed)
-  {
-    this->Observed->RemoveObserver(this);
-  }
-}
-
-void vtkNBufferUnitTrial::Execute(vtkObject*, unsigned long, void*)
+void vtkNBufferUnitTrial::EndFrame()
 {
   if (std::exchange(this->IsTiming, false))
   {

@@ -16,13 +16,12 @@
 #include "vtkNBufferCullingPolicy.h"
 #include "vtkNBufferModule.h" // For export macro
 
-#include "vtkCommand.h"
+#include "vtkRenderer.h" // For the weak pointer
 #include "vtkWeakPointer.h"
 
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkRenderer;
 struct vtkNBufferSettings;
 struct vtkNBufferStatistics;
 
@@ -71,36 +70,31 @@ private:
 
 /// A contest between frames with units and without. It waits for the device before and after each
 /// timed frame, and at no other time.
-class vtkNBufferUnitTrial : public vtkCommand
+class vtkNBufferUnitTrial
 {
 public:
-  static vtkNBufferUnitTrial* New() { return new vtkNBufferUnitTrial; }
-  vtkTypeMacro(vtkNBufferUnitTrial, vtkCommand);
+  vtkNBufferUnitTrial() = default;
+  ~vtkNBufferUnitTrial();
+  vtkNBufferUnitTrial(const vtkNBufferUnitTrial&) = delete;
+  void operator=(const vtkNBufferUnitTrial&) = delete;
 
   /// Begin a frame in which units may be drawn, and return whether they are to be drawn. `last` has
   /// the numbers of units in the last frame in which they were. The context of the renderer's
-  /// window must be current.
+  /// window must be current. `renderer` is the same in all calls.
   bool DrawsUnits(
     vtkRenderer* renderer, const vtkNBufferSettings& settings, const vtkNBufferStatistics& last);
 
   /// Forget all times.
   void Restart() { this->Contest = {}; }
 
-  /// Stop observing the renderer.
-  void Detach();
-
-  /// Called by the renderer at the end of a frame.
-  void Execute(vtkObject* caller, unsigned long event, void* data) override;
-
-protected:
-  vtkNBufferUnitTrial() = default;
-  ~vtkNBufferUnitTrial() override = default;
-
 private:
+  void EndFrame();
+
   vtkNBufferContest Contest;
   vtkNBufferClock Clock;
   bool IsTiming = false;
-  vtkWeakPointer<vtkRenderer> Observed; ///< It owns the trial, too.
+  vtkWeakPointer<vtkRenderer> Observed;
+  unsigned long Observer = 0; ///< Of the end of its frames.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -300,7 +300,7 @@ int vtkNBufferDividedProp::DrawAgain(const std::function<int()>& drawWhole)
 
 void vtkNBufferDividedProp::AddTo(vtkNBufferStatistics& statistics) const
 {
-  const Counts& counts = this->GetCounts();
+  const vtkNBufferUnitCulling::Counts& counts = this->Culling.GetCounts();
   statistics.Units += counts.Units;
   statistics.UnitsOutside += counts.Outside;
   statistics.UnitsKept += counts.Kept;
@@ -315,7 +315,7 @@ bool vtkNBufferDividedProp::HasFewFresh() const
 
 bool vtkNBufferDividedProp::IsDrawnInPart() const
 {
-  return this->IsDrawn &&
-    this->Culling.CountDrawn() < this->GetCounts().Units - this->GetCounts().Outside;
+  const vtkNBufferUnitCulling::Counts& counts = this->Culling.GetCounts();
+  return this->IsDrawn && this->Culling.CountDrawn() < counts.Units - counts.Outside;
 }
 VTK_ABI_NAMESPACE_END

@@ -53,7 +53,6 @@ class vtkNBufferDividedProp
 {
 public:
   using Depth = vtkNBufferUnitCulling::Depth;
-  using Counts = vtkNBufferUnitCulling::Counts;
 
   vtkNBufferDividedProp(vtkActor* actor, vtkNBufferDrawPass* pass);
   ~vtkNBufferDividedProp();
@@ -113,28 +112,15 @@ public:
   /// Whether the last test has left visible units to another one.
   bool HasPostponed() const { return this->Postponed; }
 
-  /// How many units the tests of this frame have found hidden after they were drawn.
-  int CountKeptInVain() const { return this->Culling.CountKeptInVain(); }
-
-  /// Bounds of the fresh units in the coordinates of the mesh, in a few groups of neighbours.
-  std::vector<vtkNBufferUnits::Box> GetFreshGroups() const
-  {
-    return this->Culling.GetUnits().GetGroups(this->Culling.GetFresh());
-  }
+  /// Which of its units may be seen, which have been drawn, and which are fresh.
+  const vtkNBufferUnitCulling& GetCulling() const { return this->Culling; }
 
   /// Place `box`, which is that of the actor, around bounds in the coordinates of the mesh. With
   /// `withRounding` its bounds of rounding errors become those of the mesh as well.
   void SetPlace(const vtkNBufferUnits::Box& bounds, bool withRounding, vtkNBufferBox& box) const;
 
-  const Counts& GetCounts() const { return this->Culling.GetCounts(); }
-
   /// Add the units of this prop to the statistics, except UnitsHidden.
   void AddTo(vtkNBufferStatistics& statistics) const;
-
-  int CountHidden(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels) const
-  {
-    return this->Culling.CountHidden(projection, levels);
-  }
 
   /**
    * Whether the units are blocks of composite data that have changed. In this case the prop has to

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -30,66 +32,56 @@ public:
     this->Words = static_cast<std::uint32_t*>(
       glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), access));
   }
-  ~Mapping()
-  {
-    if (this->Words)
-    {
-      glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
-      glUnmapBuffer(GL_ARRAY_BUFFER);
-    }
-  }
+  ~Mapping() { this->End(); }
   Mapping(const Mapping&) = delete;
   void operator=(const Mapping&) = delete;
 
   std::uint32_t* GetWords() const { return this->Words; }
+
+  /// Returns false if OpenGL has lost what was written, or if the buffer was not mapped.
+  bool End()
+  {
+    const bool isMapped = std::exchange(this->Words, nullptr);
+    if (isMapped)
+    {
+      glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
+    }
+    return isMapped && glUnmapBuffer(GL_ARRAY_BUFFER) == GL_TRUE;
+  }
 
 private:
   unsigned int Buffer;
   std::uint32_t* Words;
 };
 
-/// `words` is the number of 32-bit words of a record.
-void CopyRanges(const std::vector<Range>& ranges, std::size_t words, const std::uint32_t* source,
-  std::uint32_t* target)
-{
-  for (const Range& range : ranges)
-  {
-    target = std::copy(source + range.Begin * words, source + range.End * words, target);
-  }
-}
-
-void CopyNumbers(const std::vector<Range>& ranges, std::uint32_t* target)
-{
-  for (const Range& range : ranges)
-  {
-    std::uint32_t* const begin = target;
-    target += range.End - range.Begin;
-    std::iota(begin, target, static_cast<std::uint32_t>(range.Begin));
-  }
-}
-
-/// Copy `count` of `size` records.
+/// Copy `count` of `size` records. If there is no source, a record is the number of a primitive.
 bool Copy(const std::vector<Range>& ranges, std::size_t size, std::size_t count,
   const vtkNBufferUnitDevice::Records& records)
 {
   const std::size_t bytes = records.Words * sizeof(std::uint32_t);
-  const Mapping target(
-    records.Target, count * bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-  if (records.Source == 0)
+  Mapping target(records.Target, count * bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+  std::optional<Mapping> source;
+  if (records.Source != 0)
   {
-    if (target.GetWords())
+    source.emplace(records.Source, size * bytes, GL_MAP_READ_BIT);
+  }
+  std::uint32_t* to = target.GetWords();
+  if (!to || (source && !source->GetWords()))
+  {
+    return false;
+  }
+  for (const Range& range : ranges)
+  {
+    if (source)
     {
-      CopyNumbers(ranges, target.GetWords());
+      to = std::copy(source->GetWords() + range.Begin * records.Words,
+        source->GetWords() + range.End * records.Words, to);
+      continue;
     }
-    return target.GetWords() != nullptr;
+    std::uint32_t* const begin = std::exchange(to, to + (range.End - range.Begin));
+    std::iota(begin, to, static_cast<std::uint32_t>(range.Begin));
   }
-  const Mapping source(records.Source, size * bytes, GL_MAP_READ_BIT);
-  const bool isMapped = source.GetWords() && target.GetWords();
-  if (isMapped)
-  {
-    CopyRanges(ranges, records.Words, source.GetWords(), target.GetWords());
-  }
-  return isMapped;
+  return target.End();
 }
 }
 

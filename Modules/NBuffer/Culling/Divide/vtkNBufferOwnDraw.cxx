@@ -42,17 +42,16 @@ void vtkNBufferOwnDraw::Draw()
   this->IndexCount = std::exchange(this->Stream->IBO->IndexCount, 0);
   if (!this->HasIndices)
   {
-    if (this->Nothing == 0 && vtkNBufferGL::IsCountingSamples())
+    if (this->Nothing.GetName() == 0 && vtkNBufferGL::IsCountingSamples())
     {
       return; // No query can begin now. All of the splats are drawn.
     }
-    if (this->Nothing == 0)
+    if (this->Nothing.GetName() == 0)
     {
-      glGenQueries(1, &this->Nothing);
-      glBeginQuery(GL_SAMPLES_PASSED, this->Nothing);
+      glBeginQuery(GL_SAMPLES_PASSED, this->Nothing.Create());
       glEndQuery(GL_SAMPLES_PASSED);
     }
-    glBeginConditionalRender(this->Nothing, GL_QUERY_WAIT);
+    glBeginConditionalRender(this->Nothing.GetName(), GL_QUERY_WAIT);
     this->IsDiscarding = true;
   }
 }
@@ -72,15 +71,6 @@ void vtkNBufferOwnDraw::Restore()
   if (std::exchange(this->IsDiscarding, false))
   {
     glEndConditionalRender();
-  }
-}
-
-void vtkNBufferOwnDraw::ReleaseGraphicsResources()
-{
-  if (this->Nothing != 0)
-  {
-    glDeleteQueries(1, &this->Nothing);
-    this->Nothing = 0;
   }
 }
 

@@ -21,6 +21,7 @@
 #ifndef vtkNBufferOwnDraw_h
 #define vtkNBufferOwnDraw_h
 
+#include "vtkNBufferGLObject.h"
 #include "vtkNBufferUnits.h"
 #include "vtkOpenGLPolyDataMapper.h" // For the smart pointer
 #include "vtkSmartPointer.h"
@@ -49,7 +50,7 @@ public:
   /// Undo what SetNext() has changed.
   void Restore();
 
-  void ReleaseGraphicsResources();
+  void ReleaseGraphicsResources() { this->Nothing.Delete(); }
 
   /// Draw ranges of the primitives of a stream, when everything else has been bound. Returns false
   /// if there are none.
@@ -69,8 +70,8 @@ private:
   unsigned long Observer = 0;
   std::size_t IndexCount = 0; ///< The stream's number of indices, while that is set to 0.
   bool HasIndices = true;
-  unsigned int Nothing = 0;  ///< A query that has counted nothing, or 0.
-  bool IsDiscarding = false; ///< Whether OpenGL discards all draws until Restore().
+  vtkNBufferGL::Query Nothing; ///< A query that has counted nothing, once it is needed.
+  bool IsDiscarding = false;   ///< Whether OpenGL discards all draws until Restore().
 };
 
 VTK_ABI_NAMESPACE_END
