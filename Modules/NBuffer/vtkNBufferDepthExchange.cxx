@@ -8,6 +8,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <utility>
+
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
@@ -36,15 +38,22 @@ void vtkNBufferDepthExchange::SetRenderer(vtkRenderer* renderer)
   }
   if (this->Renderer)
   {
-    this->Renderer->RemoveObserver(this->Observer);
+    this->Renderer->RemoveObserver(std::exchange(this->Observer, 0));
   }
   this->Renderer = renderer;
-  if (renderer)
-  {
-    this->Observer = renderer->AddObserver(
-      vtkCommand::EndEvent, this, &vtkNBufferDepthExchange::EndFrame, BeforeCompositing);
-  }
+  this->Observe();
   this->Modified();
+}
+
+bool vtkNBufferDepthExchange::Observe()
+{
+  if (!this->Renderer || this->Renderer->GetCommand(this->Observer))
+  {
+    return false;
+  }
+  this->Observer = this->Renderer->AddObserver(
+    vtkCommand::EndEvent, this, &vtkNBufferDepthExchange::EndFrame, BeforeCompositing);
+  return true;
 }
 
 vtkRenderer* vtkNBufferDepthExchange::GetRenderer() const
@@ -93,6 +102,12 @@ std::shared_ptr<vtkNBufferSharedDepth> vtkNBufferDepthExchange::GetSharedDepth(
   if (renderer != this->Renderer || !this->IsOn())
   {
     return nullptr;
+  }
+  // An application that removes its own observers may remove that of the exchange with them, even
+  // in the middle of a frame.
+  if (this->Observe())
+  {
+    this->Shared->AbandonFrame();
   }
   this->Shared->BeginFrame(
     renderer, { this->GetNumberOfRanks(), this->GetRank(), this->TileSize, this->BackOff });

@@ -133,6 +133,8 @@ private:
   void operator=(const vtkNBufferDepthExchange&) = delete;
 
   bool IsOn();
+  /// Observe the end of the renderer's frames. Returns false if it is observed already.
+  bool Observe();
   void EndFrame();
 
   vtkWeakPointer<vtkRenderer> Renderer;

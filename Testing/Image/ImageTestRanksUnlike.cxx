@@ -127,6 +127,9 @@ void SelectInBoth(RankStages& stages)
 }
 
 const Straggler Stragglers[] = {
+  // As an application may do that removes its own observers.
+  { "LosesItsObservers",
+    [](RankStages& stages, int) { stages.GetRenderer()->RemoveAllObservers(); } },
   { "NoProps",
     [](RankStages& stages, int)
     { stages.Both([](Stage& stage) { stage.GetRenderer()->RemoveAllViewProps(); }); } },

@@ -89,6 +89,9 @@ public:
   /// Begin a frame of the renderer unless it has begun already.
   void BeginFrame(vtkRenderer* renderer, const Layout& layout);
 
+  /// Forget a frame that has begun if EndFrame() will not be called for it.
+  void AbandonFrame() { this->HasBegun = false; }
+
   /// Whether this frame has exchanges, by what is known so far.
   bool IsShared() const { return this->Plan.GetNumberOfExchanges() > 0; }
 
