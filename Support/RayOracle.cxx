@@ -139,20 +139,14 @@ bool Oracle::GetReceiver(int x, int y, double jitterX, double jitterY, Receiver&
     return false;
   }
   const double* corners = &this->Triangles.Corners[9 * static_cast<std::size_t>(hit.Triangle)];
-  double ab[3];
-  double ac[3];
-  vtkMath::Subtract(corners + 3, corners, ab);
-  vtkMath::Subtract(corners + 6, corners, ac);
-  vtkMath::Cross(ab, ac, receiver.Normal);
-  vtkMath::Normalize(receiver.Normal);
-  if (vtkMath::Dot(receiver.Normal, ray.Direction) > 0.0)
-  {
-    vtkMath::MultiplyScalar(receiver.Normal, -1.0);
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    receiver.Position[i] = ray.Origin[i] + hit.T * ray.Direction[i];
-  }
+  const glm::dvec3 a = glm::make_vec3(corners);
+  const glm::dvec3 direction = glm::make_vec3(ray.Direction);
+  const glm::dvec3 normal =
+    glm::normalize(glm::cross(glm::make_vec3(corners + 3) - a, glm::make_vec3(corners + 6) - a));
+  const glm::dvec3 towardsEye = glm::dot(normal, direction) > 0.0 ? -normal : normal;
+  const glm::dvec3 position = glm::make_vec3(ray.Origin) + hit.T * direction;
+  std::copy_n(glm::value_ptr(towardsEye), 3, receiver.Normal);
+  std::copy_n(glm::value_ptr(position), 3, receiver.Position);
   return true;
 }
 
@@ -304,12 +298,18 @@ bool Oracle::DependsOnRounding(
   {
     offs.push_back(step * less);
   }
-  // Two steps of the subpixel grid beside it.
+  // Two steps of the subpixel grid beside it, where its depth may be off as well.
   for (const Ray& beside :
     { this->GetEyeRay(x, y, GridSteps), this->GetEyeRay(x, y, 0.0, GridSteps) })
   {
-    offs.push_back(
-      glm::make_vec3(beside.Origin) + distance * glm::make_vec3(beside.Direction) - position);
+    const glm::dvec3 place =
+      glm::make_vec3(beside.Origin) + distance * glm::make_vec3(beside.Direction);
+    const double deeper =
+      this->GetWindowDepth(glm::value_ptr(place)) - this->GetWindowDepth(receiver.Position);
+    for (const double depth : { -DepthSteps, DepthSteps })
+    {
+      offs.push_back(place - position + step * (depth - deeper));
+    }
   }
   double toLight[3];
   light.GetDirectionTo(receiver.Position, toLight);

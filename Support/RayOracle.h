@@ -102,11 +102,12 @@ public:
    *  - One of the samples 1/64 of a pixel away in the four diagonal directions is of another kind
    *    (OracleSample), or is beyond an edge or a step of the surface, so that a rasteriser may find
    *    another surface.
-   *  - The sample is of another kind at a place to which rounding may move it: 1, 2, 4 or 8 units
-   * of 24-bit depth along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel away, and from
-   *    there back to its surface along the light's ray, which is a long way under grazing light. If
-   *    the triangle reaches out of the view, the bound of DrawnPolygon.h, which grows with the part
-   *    outside, is added to the units of depth.
+   *  - The sample is of another kind at a place to which rounding, and the push of volumes away
+   * from surfaces (vtkShadowCounter.h), may move it: 1, 2, 4 or 8 units of 24-bit depth along the
+   * eye ray; or 2 steps of a subpixel grid of 1/256 pixel beside it and 4 units before or behind;
+   * and from there back to its surface along the light's ray, which is a long way under grazing
+   *    light. If the triangle reaches out of the view, the bound of DrawnPolygon.h, which grows
+   * with the part outside, is added to the units of depth along the eye ray.
    *  - The eye ray meets another triangle of a caster within 8 units of depth of the receiver, for
    *    instance the other side of a thin sheet. That triangle, as the cap of a volume, may be drawn
    *    before the receiver.

@@ -291,6 +291,38 @@ TEST_F(OracleTest, ThinShadowsWithinStepsOfDepthAreAmbiguous)
   }
 }
 
+// Hazard: the side of a volume in a surface that light grazes is as steep as the surface, and its
+// push away from the eye is the sum of steps of depth and of what the slope makes of steps of the
+// subpixel grid. The shadow of a wall's upper edge passes some steps of depth before the samples of
+// a row. The floor, which the light meets at an angle of 1 : 1000, is 15 steps deeper after 1/128
+// of a pixel.
+TEST_F(OracleTest, SidesWithinTheirPushAreAmbiguous)
+{
+  constexpr double step = 200.0 / (1 << 24);
+  constexpr double slope = 15.0 * 128.0 * step;
+  for (const double steps : { -30.0, -17.0, 5.0, 14.0, 17.0, 22.0, 30.0 })
+  {
+    SCOPED_TRACE(steps);
+    Stage stage = SetPixelStage(8, 30,
+      [&](SceneBuilder& scene)
+      {
+        const Point across = { 100.0, 0.0, 0.0 };
+        scene.Sheet({ -50.0, 0.0, -15.5 * slope }, across, { 0.0, 30.0, 30.0 * slope });
+        const double top = 10.0 * (slope + 1e-3) + steps * step;
+        scene.Sheet({ -50.0, 25.5, -1.0 }, across, { 0.0, 0.0, top + 1.0 });
+        scene.Directional({ 0.0, -1.0, -slope - 1e-3 });
+      });
+    stage.GetRenderer()->GetActiveCamera()->SetClippingRange(1.0, 201.0);
+    const OracleImage image = Cast(stage);
+    for (int x = 0; x < 8; ++x)
+    {
+      const std::size_t i = 8 * 15 + x;
+      EXPECT_EQ(image.Samples[i], steps > 0.0 ? OracleSample::Shadowed : OracleSample::Lit);
+      EXPECT_EQ(image.Ambiguous[i] != 0, std::abs(steps) < 20.0);
+    }
+  }
+}
+
 // A cone of 45 degrees, 10 above the floor, lights a circle of radius 10.
 TEST_F(OracleTest, ConeEndsTheLight)
 {
