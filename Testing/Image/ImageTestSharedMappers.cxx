@@ -202,6 +202,34 @@ TEST(CullerOwnActors, ThatShareAMapperAreFollowed)
   EXPECT_EQ(comparison.GetVerdict(first), Verdict::Visible);
 }
 
+// A prop whose first draw is due says why it would be drawn anyway.
+TEST(CullerOwnActors, FirstDrawsHideNoOtherReason)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(MakeMapper<vtkPolyDataMapper>());
+      actor->SetPosition(0.0, 0.3, 6.0);
+      stage.Add(actor);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    });
+  const int first = static_cast<int>(comparison.Culled.Props.size()) - 1;
+  Scenes::FrameOfWall(comparison, 0.0);
+  comparison.Both(
+    [first](Stage& stage)
+    {
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(stage.GetActor(first)->GetMapper());
+      actor->GetProperty()->SetRepresentationToWireframe();
+      stage.Add(actor);
+    });
+  Scenes::FrameOfWall(comparison, 0.1);
+  EXPECT_EQ(comparison.GetVerdict(first), Verdict::SharedMapper);
+  EXPECT_EQ(comparison.GetVerdict(first + 1), Verdict::NotASurface);
+}
+
 // Hazard: an actor that has lost its texture is drawn by the shaders that read it, and shows what
 // another prop has left in the texture unit.
 TEST(CullerOwnActors, LostTexture)

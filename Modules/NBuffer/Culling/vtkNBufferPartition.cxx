@@ -30,23 +30,25 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify(
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
     vtkNBufferState& state = this->Props.GetState(i);
+    const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent;
+    if (!isTranslucent && state.Verdict != vtkNBufferVerdict::Visible)
+    {
+      continue; // It is drawn for another reason.
+    }
     if (vtkNBufferFirstDraws::IsDue(state, this->Props.GetProp(i)))
     {
       state.Verdict = vtkNBufferVerdict::SharedMapper;
       state.WasVisible = true;
       continue;
     }
-    if (state.Verdict == vtkNBufferVerdict::Translucent)
+    if (isTranslucent)
     {
       ++counts.Candidates;
       if (state.Placement == vtkNBufferPlacement::Inside)
       {
         this->Translucent.push_back(i);
       }
-    }
-    if (state.Verdict != vtkNBufferVerdict::Visible)
-    {
-      continue; // not an opaque candidate
+      continue;
     }
     if (i >= firstBlended && state.Placement != vtkNBufferPlacement::Outside)
     {
