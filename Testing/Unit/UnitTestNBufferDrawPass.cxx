@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferDrawPass.h"
+#include "vtkNBufferPropertyKeys.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -10,6 +11,9 @@
 #include "vtkRenderWindow.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -142,6 +146,44 @@ TEST(NBufferDrawPass, GoesWithTheLastActorOfItsMapper)
   EXPECT_EQ(CountPasses(actors[1]), 0);
   EXPECT_EQ(CountPasses(actors[2]), 0);
   EXPECT_FALSE(pass->IsUsedBy(mapper));
+}
+
+// Hazard: VTK counts the references of a pass otherwise in copies of keys, so that the pass would
+// be deleted while it is in use.
+TEST(NBufferPropertyKeys, CopiesReferenceAPassOnce)
+{
+  vtkNew<vtkNBufferDrawPass> passes[3];
+  vtkNew<vtkInformation> keys;
+  vtkNBufferPropertyKeys::AddPass(keys, passes[0]);
+  vtkNBufferPropertyKeys::AddPass(keys, passes[2]);
+  vtkNew<vtkInformation> copy;
+  copy->CopyEntry(keys, vtkOpenGLRenderPass::RenderPasses());
+  const auto expectPasses = [&copy](const std::vector<vtkObjectBase*>& expected)
+  {
+    ASSERT_EQ(vtkNBufferPropertyKeys::CountPasses(copy), static_cast<int>(expected.size()));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_EQ(vtkOpenGLRenderPass::RenderPasses()->Get(copy, static_cast<int>(i)), expected[i]);
+    }
+  };
+  for (const int place : { 0, 1, 2, 100 })
+  {
+    const int others[2] = { passes[0]->GetReferenceCount(), passes[2]->GetReferenceCount() };
+    vtkNBufferPropertyKeys::AddPassToCopy(copy, passes[1], place);
+    vtkNBufferPropertyKeys::AddPassToCopy(copy, passes[1], 0);
+    EXPECT_EQ(passes[1]->GetReferenceCount(), 2);
+    std::vector<vtkObjectBase*> expected = { passes[0], passes[2] };
+    expected.insert(expected.begin() + std::min(place, 2), passes[1]);
+    expectPasses(expected);
+    vtkNBufferPropertyKeys::RemovePassFromCopy(copy, passes[1]);
+    vtkNBufferPropertyKeys::RemovePassFromCopy(copy, passes[1]);
+    EXPECT_EQ(passes[1]->GetReferenceCount(), 1);
+    expectPasses({ passes[0], passes[2] });
+    EXPECT_EQ(passes[0]->GetReferenceCount(), others[0]);
+    EXPECT_EQ(passes[2]->GetReferenceCount(), others[1]);
+  }
+  vtkNBufferPropertyKeys::RemovePass(keys, passes[0]);
+  vtkNBufferPropertyKeys::RemovePass(keys, passes[2]);
 }
 
 // The pass is never detached from an actor that is deleted. A new actor may be made at its address

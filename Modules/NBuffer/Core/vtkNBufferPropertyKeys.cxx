@@ -19,10 +19,15 @@ vtkInformation* vtkNBufferPropertyKeys::Get(vtkProp* prop)
   return prop->GetPropertyKeys();
 }
 
+int vtkNBufferPropertyKeys::CountPasses(vtkInformation* keys)
+{
+  return keys ? vtkOpenGLRenderPass::RenderPasses()->Length(keys) : 0;
+}
+
 bool vtkNBufferPropertyKeys::HasPass(vtkInformation* keys, const vtkObjectBase* pass)
 {
   vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  for (int i = 0; keys && i < passes->Length(keys); ++i)
+  for (int i = 0; i < CountPasses(keys); ++i)
   {
     if (passes->Get(keys, i) == pass)
     {
@@ -45,13 +50,46 @@ bool vtkNBufferPropertyKeys::AddPass(vtkInformation* keys, vtkObjectBase* pass)
 void vtkNBufferPropertyKeys::RemovePass(vtkInformation* keys, vtkObjectBase* pass)
 {
   vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  if (keys && passes->Length(keys) > 0)
+  if (CountPasses(keys) > 0)
   {
     passes->Remove(keys, pass);
     if (passes->Length(keys) == 0)
     {
       keys->Remove(passes);
     }
+  }
+}
+
+void vtkNBufferPropertyKeys::AddPassToCopy(vtkInformation* copy, vtkObjectBase* pass, int place)
+{
+  if (HasPass(copy, pass))
+  {
+    return;
+  }
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  int i = CountPasses(copy);
+  for (; i > place; --i)
+  {
+    passes->Set(copy, passes->Get(copy, i - 1), i);
+  }
+  passes->Set(copy, pass, i);
+}
+
+void vtkNBufferPropertyKeys::RemovePassFromCopy(vtkInformation* copy, vtkObjectBase* pass)
+{
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  int kept = 0;
+  for (int i = 0; i < CountPasses(copy); ++i)
+  {
+    vtkObjectBase* other = passes->Get(copy, i);
+    if (other != pass)
+    {
+      passes->Set(copy, other, kept++);
+    }
+  }
+  if (kept < CountPasses(copy))
+  {
+    passes->Resize(copy, kept);
   }
 }
 VTK_ABI_NAMESPACE_END

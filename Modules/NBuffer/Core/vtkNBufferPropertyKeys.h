@@ -8,6 +8,7 @@
 #ifndef vtkNBufferPropertyKeys_h
 #define vtkNBufferPropertyKeys_h
 
+#include "vtkNBufferModule.h"     // For export macro
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -23,11 +24,22 @@ vtkInformation* Get(vtkProp* prop);
 /// Whether a pass is among these keys, which may be nullptr.
 bool HasPass(vtkInformation* keys, const vtkObjectBase* pass);
 
+/// The number of passes among these keys, which may be nullptr.
+VTKNBUFFER_EXPORT int CountPasses(vtkInformation* keys);
+
 /// Append a pass if it is missing, and return whether it was. Props may share their keys.
-bool AddPass(vtkInformation* keys, vtkObjectBase* pass);
+VTKNBUFFER_EXPORT bool AddPass(vtkInformation* keys, vtkObjectBase* pass);
 
 /// Remove a pass from these keys, which may be nullptr.
-void RemovePass(vtkInformation* keys, vtkObjectBase* pass);
+VTKNBUFFER_EXPORT void RemovePass(vtkInformation* keys, vtkObjectBase* pass);
+
+///@{
+/// Insert a pass after the first `place` passes, or after all if there are fewer, and remove it
+/// again. These are for copies that VTK has made of the keys of a prop. (VTK references a pass
+/// twice where it is appended, and releases it twice where it is removed, but not in copies.)
+VTKNBUFFER_EXPORT void AddPassToCopy(vtkInformation* copy, vtkObjectBase* pass, int place);
+VTKNBUFFER_EXPORT void RemovePassFromCopy(vtkInformation* copy, vtkObjectBase* pass);
+///@}
 }
 
 VTK_ABI_NAMESPACE_END

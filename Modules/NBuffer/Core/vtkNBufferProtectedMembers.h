@@ -20,11 +20,11 @@
 #include "vtkProp.h"
 #include "vtkTimeStamp.h"
 
-#include "vtkNBufferPropertyKeys.h"
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkScalarsToColors;
@@ -126,17 +126,20 @@ inline std::size_t GetNumberOfVertices(vtkOpenGLPolyDataMapper* mapper)
   return static_cast<std::size_t>((mapper->*Access::Get())->GetNumberOfTuples("vertexMC"));
 }
 
-/// Whether a render pass was among the property keys of an actor when a mapper last drew it.
-inline bool HasDrawnWith(vtkOpenGLPolyDataMapper* mapper, const vtkObjectBase* pass)
+/// For each stream that a mapper has drawn, the render passes that were among the property keys of
+/// the actor. The mapper makes the stream's shaders anew if the next actor has others.
+inline std::vector<vtkInformation*> GetLastPasses(vtkOpenGLPolyDataMapper* mapper)
 {
   struct Access : vtkOpenGLPolyDataMapper
   {
     static auto Get() { return &Access::PrimitiveInfo; }
   };
-  const auto& streams = mapper->*Access::Get();
-  return std::any_of(streams.begin(), streams.end(),
-    [pass](const auto& stream)
-    { return vtkNBufferPropertyKeys::HasPass(stream.second.LastRenderPassInfo, pass); });
+  std::vector<vtkInformation*> last;
+  for (auto& [stream, info] : mapper->*Access::Get())
+  {
+    last.push_back(info.LastRenderPassInfo);
+  }
+  return last;
 }
 
 /// The lookup table of a mapper, or nullptr. vtkMapper::GetLookupTable() would create one.

@@ -86,10 +86,11 @@ void vtkNBufferDivision::Update(vtkRenderer* renderer, const vtkNBufferSettings&
     std::exchange(this->ListNumber, this->Props.GetListNumber()) != this->Props.GetListNumber();
   for (Entry& entry : this->Entries)
   {
-    // A new actor may have the address of a deleted one, and so its place in the same list.
+    // A new actor may have the address of a deleted one, and so its place in the same list. An
+    // actor that shows another mapper is found again if it is still large.
     vtkActor* actor = entry.Prop->GetActor();
     const int place = isOtherList && actor ? this->Props.Find(actor) : entry.Place;
-    entry.Place = actor ? place : -1;
+    entry.Place = actor && !this->Pass->HasOtherMapper(actor) ? place : -1;
   }
   this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
                         [](const Entry& entry) { return entry.Place < 0; }),

@@ -9,7 +9,6 @@
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkWindow.h"
@@ -18,10 +17,21 @@
 #include <iterator>
 #include <mutex>
 #include <unordered_set>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferDrawPass);
 vtkInformationKeyMacro(vtkNBufferDrawPass, KEPT_WHOLE, Integer);
+
+namespace
+{
+/// What a mapper knows of the passes of its last draws; empty if it cannot be reached.
+std::vector<vtkInformation*> GetLastPasses(vtkMapper* mapper)
+{
+  vtkOpenGLPolyDataMapper* draws = vtkNBufferSurface::GetDrawingMapper(mapper);
+  return draws ? vtkNBufferProtectedMembers::GetLastPasses(draws) : std::vector<vtkInformation*>();
+}
+}
 
 struct vtkNBufferDrawPass::Registry
 {
@@ -100,10 +110,40 @@ vtkNBufferDrawPass::User& vtkNBufferDrawPass::AddUser(vtkActor* actor)
   User& user = this->Users[actor];
   if (!user.Actor)
   {
-    user = { actor, 0 };
-    vtkNBufferPropertyKeys::AddPass(vtkNBufferPropertyKeys::Get(actor), this);
+    user = { actor, actor->GetMapper(), 0 };
+    vtkInformation* keys = vtkNBufferPropertyKeys::Get(actor);
+    // Passes that are added while the renderer draws come after this one.
+    const int place = vtkNBufferPropertyKeys::CountPasses(keys);
+    if (vtkNBufferPropertyKeys::AddPass(keys, this))
+    {
+      for (vtkInformation* last : GetLastPasses(user.Mapper))
+      {
+        vtkNBufferPropertyKeys::AddPassToCopy(last, this, place);
+      }
+    }
   }
   return user;
+}
+
+void vtkNBufferDrawPass::RemoveFrom(const User& user)
+{
+  vtkNBufferPropertyKeys::RemovePass(user.Actor->GetPropertyKeys(), this);
+  const bool isShared = std::any_of(this->Users.begin(), this->Users.end(),
+    [&user](const auto& other)
+    { return other.second.Actor && other.second.Mapper == user.Mapper; });
+  if (!isShared)
+  {
+    for (vtkInformation* last : GetLastPasses(user.Mapper))
+    {
+      vtkNBufferPropertyKeys::RemovePassFromCopy(last, this);
+    }
+  }
+}
+
+bool vtkNBufferDrawPass::HasOtherMapper(vtkActor* actor) const
+{
+  const auto user = this->Users.find(actor);
+  return user != this->Users.end() && user->second.Mapper != actor->GetMapper();
 }
 
 bool vtkNBufferDrawPass::AttachAgain(vtkActor* actor)
@@ -118,14 +158,16 @@ void vtkNBufferDrawPass::Attach(vtkActor* actor)
 
 void vtkNBufferDrawPass::Detach(vtkActor* actor)
 {
-  const auto user = this->Users.find(actor);
+  const auto found = this->Users.find(actor);
   vtkMapper* mapper = actor->GetMapper();
-  if ((mapper && IsKeptWhole(mapper)) || --user->second.Count > 0)
+  const bool isKept = mapper && mapper == found->second.Mapper && IsKeptWhole(mapper);
+  if (isKept || --found->second.Count > 0)
   {
     return;
   }
-  this->Users.erase(user);
-  vtkNBufferPropertyKeys::RemovePass(actor->GetPropertyKeys(), this);
+  const User user = found->second;
+  this->Users.erase(found);
+  this->RemoveFrom(user);
   if (this->HasFollowers)
   {
     this->RemoveFromFollowers();
@@ -140,26 +182,27 @@ void vtkNBufferDrawPass::RemoveFromFollowers()
     attached.insert(user.Actor && user.Count > 0 ? user.Actor->GetMapper() : nullptr);
   }
   this->HasFollowers = false;
-  for (auto user = this->Users.begin(); user != this->Users.end();)
+  for (auto found = this->Users.begin(); found != this->Users.end();)
   {
-    vtkActor* actor = user->second.Actor;
-    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-    const bool isAttached = user->second.Count > 0;
+    const User user = found->second;
+    vtkMapper* mapper = user.Actor ? user.Actor->GetMapper() : nullptr;
+    const bool isAttached = user.Count > 0;
     const bool follows =
       !isAttached && mapper && (attached.count(mapper) > 0 || IsKeptWhole(mapper));
-    if (actor && !isAttached && !follows)
-    {
-      vtkNBufferPropertyKeys::RemovePass(actor->GetPropertyKeys(), this);
-    }
     this->HasFollowers = this->HasFollowers || follows;
-    user = isAttached || follows ? std::next(user) : this->Users.erase(user);
+    found = isAttached || follows ? std::next(found) : this->Users.erase(found);
+    if (user.Actor && !isAttached && !follows)
+    {
+      this->RemoveFrom(user);
+    }
   }
 }
 
 bool vtkNBufferDrawPass::IsUsedBy(vtkMapper* mapper) const
 {
-  vtkOpenGLPolyDataMapper* draws = vtkNBufferSurface::GetDrawingMapper(mapper);
-  return (draws && vtkNBufferProtectedMembers::HasDrawnWith(draws, this)) ||
+  const std::vector<vtkInformation*> lasts = GetLastPasses(mapper);
+  return std::any_of(lasts.begin(), lasts.end(),
+           [this](vtkInformation* last) { return vtkNBufferPropertyKeys::HasPass(last, this); }) ||
     std::any_of(this->Users.begin(), this->Users.end(),
       [mapper](const auto& entry)
       { return entry.second.Actor && entry.second.Actor->GetMapper() == mapper; });

@@ -5,16 +5,22 @@
  * @brief A render pass in the property keys of large props, which their mappers call before they
  * draw.
  *
- * A mapper makes its shaders anew if the passes of an actor are not those of the last draw. Actors
- * that share a mapper share its shaders as well, and what they look like depends on when these are
- * made. Therefore all large props of a window have the same pass, and so has an actor that begins
- * to share the mapper of one of them. They keep it while they are in a renderer of the window,
- * whether they can be divided at the moment or not. Once actors use a mapper in several ways
- * (KeepWhole()), its actors neither get the pass nor lose it.
+ * A mapper makes its shaders anew if the passes of an actor are not those of the last draw. What
+ * its actors look like depends on when the shaders are made, and without the culler they would not
+ * be made anew. Therefore:
+ *
+ * - Where the pass is added or removed, it is added to or removed from what the mapper knows of its
+ *   last draws as well, so that it sees no difference: the pass changes no shader. (This is not
+ *   possible for composite data and glyphs, whose internal mappers cannot be reached.)
+ * - All large props of a window have the same pass, and so has an actor that begins to share the
+ *   mapper of one of them. They keep it while they are in a renderer of the window and show the
+ *   same mapper, whether they can be divided at the moment or not. Once actors use a mapper in
+ *   several ways (KeepWhole()), its actors neither get the pass nor lose it.
  */
 #ifndef vtkNBufferDrawPass_h
 #define vtkNBufferDrawPass_h
 
+#include "vtkMapper.h"
 #include "vtkNBufferModule.h"     // For export macro
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 #include "vtkOpenGLRenderPass.h"
@@ -29,7 +35,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkInformationIntegerKey;
-class vtkMapper;
 class vtkProp;
 class vtkWindow;
 
@@ -53,6 +58,10 @@ public:
   /// Add the pass again to the property keys of an attached actor if the application has replaced
   /// or cleared them. Returns whether it was missing.
   bool AttachAgain(vtkActor* actor);
+
+  /// Whether an attached actor shows another mapper than when it got the pass. It should be
+  /// detached then, and attached again where it is still large.
+  bool HasOtherMapper(vtkActor* actor) const;
 
   /// Give the pass of a window to those of the props that have begun to share the mapper of an
   /// actor that has it. For frames in which nothing looks for large props. They are attached
@@ -100,6 +109,7 @@ private:
   struct User
   {
     vtkWeakPointer<vtkActor> Actor;
+    vtkWeakPointer<vtkMapper> Mapper; ///< Its mapper when it got the pass.
     int Count = 0; ///< How often it is attached. 0 for an actor that Follow() has found.
   };
 
@@ -108,6 +118,9 @@ private:
 
   /// The actor's entry, new and with the pass in the actor's keys if there was none.
   User& AddUser(vtkActor* actor);
+  /// Remove the pass from the keys of an actor that is no user any more, and, if no user has got
+  /// the pass with the same mapper, from what this mapper knows of its last draws.
+  void RemoveFrom(const User& user);
   /// Remove the pass from the actors that Follow() has found, except where an attached actor has
   /// the same mapper, or the mapper is kept whole.
   void RemoveFromFollowers();
