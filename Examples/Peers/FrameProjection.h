@@ -11,8 +11,6 @@
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferProjection.h"
 
-#include <algorithm>
-
 namespace NBufferPeers
 {
 
@@ -20,10 +18,8 @@ inline void SetFrameProjection(
   vtkRenderer* renderer, const vtkNBufferDepthSource& source, vtkNBufferProjection& projection)
 {
   const int* viewport = source.Viewport;
-  const double quantum =
-    source.FloatDepth ? 0x1p-24 : 1.0 / static_cast<double>((1ULL << source.DepthBits) - 1);
   projection.Set(vtkNBufferGLM::ToRows(vtkNBufferCamera(renderer).WorldToClip).data(), viewport[2],
-    viewport[3], quantum, glm::ivec2(viewport[0], viewport[1]));
+    viewport[3], source.GetStep(), glm::ivec2(viewport[0], viewport[1]));
 }
 
 } // namespace NBufferPeers
