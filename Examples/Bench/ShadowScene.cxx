@@ -194,11 +194,10 @@ vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path, cons
   return light;
 }
 
-/// Returns whether a scene was made here, and not loaded.
-bool IsMadeHere(const Scene& scene)
+/// Returns whether a scene of this name is made here, and not loaded.
+bool IsMadeHere(const std::string& name)
 {
-  return scene.Name == "birds" || scene.Name == "simple" || scene.Name == "swarm" ||
-    scene.Name == "towers";
+  return name == "birds" || name == "simple" || name == "swarm" || name == "towers";
 }
 }
 
@@ -250,7 +249,7 @@ vtkSmartPointer<vtkInformation> MarkCasters(const Scene& scene)
 {
   // The parts of one prop (--merge) cannot be told apart either.
   const bool isOneProp = scene.Actors.size() == 1;
-  if ((!scene.Plan && !IsMadeHere(scene)) || isOneProp)
+  if ((!scene.Plan && !IsMadeHere(scene.Name)) || isOneProp)
   {
     return nullptr;
   }
@@ -275,6 +274,14 @@ vtkSmartPointer<vtkInformation> MarkCasters(const Scene& scene)
 NBufferExamples::Scene LoadShadowScene(ViewOptions view)
 {
   const std::string name = view.SceneNames.size() == 1 ? view.SceneNames[0] : "";
+  const bool hasOptions = view.SplitRegions || !view.Merge.empty() || view.Shuffle || view.Edges ||
+    view.Points > 0 || view.Props > 0 || (view.Instances > 0 && name != "swarm");
+  if (IsMadeHere(name) && hasOptions)
+  {
+    throw std::runtime_error("the scene " + name +
+      " cannot be changed by --split, --merge, --shuffle, --edges, --points, --instances (of swarm "
+      "it can) or --props");
+  }
   if (name == "birds" || name == "simple")
   {
     return name == "birds" ? MakeBirds(view.Seed) : MakeParts(view.Seed);
