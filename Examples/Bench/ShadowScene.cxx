@@ -221,24 +221,9 @@ SpotLamp ReadLamp(const std::string& name, const std::vector<double>& numbers)
 vtkLight* LightScene(const std::string& name, const Scene& scene,
   const NBufferExamples::CameraPath& path, vtkRenderer* renderer, const SpotLamp& lamp)
 {
-  if (scene.Plan)
-  {
-    NBufferExamples::LightGround(scene);
-  }
-  vtkSmartPointer<vtkLight> light;
-  if (name == "city-spot")
-  {
-    light = MakeSpot(path, lamp);
-  }
-  else
-  {
-    light = NBufferExamples::MakeSun({});
-    // What is z for the sun is the scene's axis that points up.
-    double position[3];
-    light->GetPosition(position);
-    std::rotate(position, position + 2 - scene.UpAxis, position + 3);
-    light->SetPosition(position);
-  }
+  NBufferExamples::LightGround(scene);
+  const vtkSmartPointer<vtkLight> light =
+    name == "city-spot" ? MakeSpot(path, lamp) : NBufferExamples::MakeSun({}, scene.UpAxis);
   renderer->RemoveAllLights();
   renderer->AutomaticLightCreationOff();
   renderer->AddLight(light);

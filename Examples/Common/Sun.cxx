@@ -12,40 +12,44 @@
 namespace NBufferExamples
 {
 
-glm::dvec3 GetDirectionToSun(const SunTime& time)
+glm::dvec3 GetDirectionToSun(const SunTime& time, int upAxis)
 {
   const double latitude = vtkMath::RadiansFromDegrees(time.Latitude);
   const double declination = vtkMath::RadiansFromDegrees(
     23.45 * std::sin(vtkMath::RadiansFromDegrees(360.0 * (284 + time.Day) / 365.0)));
   const double hour = vtkMath::RadiansFromDegrees(15.0 * (time.Hour - 12.0));
-  return { -std::cos(declination) * std::sin(hour),
-    std::cos(latitude) * std::sin(declination) -
-      std::sin(latitude) * std::cos(declination) * std::cos(hour),
-    std::sin(latitude) * std::sin(declination) +
-      std::cos(latitude) * std::cos(declination) * std::cos(hour) };
+  const double east = -std::cos(declination) * std::sin(hour);
+  const double north = std::cos(latitude) * std::sin(declination) -
+    std::sin(latitude) * std::cos(declination) * std::cos(hour);
+  const double up = std::sin(latitude) * std::sin(declination) +
+    std::cos(latitude) * std::cos(declination) * std::cos(hour);
+  return upAxis == 2 ? glm::dvec3(east, north, up)
+    : upAxis == 1    ? glm::dvec3(east, up, -north)
+                     : glm::dvec3(up, east, north);
 }
 
-vtkSmartPointer<vtkLight> MakeSun(const SunTime& time)
+vtkSmartPointer<vtkLight> MakeSun(const SunTime& time, int upAxis)
 {
   auto light = vtkSmartPointer<vtkLight>::New();
   light->SetLightTypeToSceneLight();
   light->PositionalOff();
   light->SetFocalPoint(0.0, 0.0, 0.0);
   light->SetColor(1.0, 0.97, 0.90);
-  SetSun(time, light);
+  SetSun(time, light, upAxis);
   return light;
 }
 
-void SetSun(const SunTime& time, vtkLight* light)
+void SetSun(const SunTime& time, vtkLight* light, int upAxis)
 {
-  light->SetPosition(glm::value_ptr(GetDirectionToSun(time)));
+  light->SetPosition(glm::value_ptr(GetDirectionToSun(time, upAxis)));
 }
 
-void LightGround(const Scene& city)
+void LightGround(const Scene& scene, bool isLit)
 {
-  for (std::size_t i = city.Plan->Buildings.size(); i < city.Actors.size(); ++i)
+  const std::size_t first = scene.Plan ? scene.Plan->Buildings.size() : scene.Actors.size();
+  for (std::size_t i = first; i < scene.Actors.size(); ++i)
   {
-    city.Actors[i]->GetProperty()->LightingOn();
+    scene.Actors[i]->GetProperty()->SetLighting(isLit);
   }
 }
 

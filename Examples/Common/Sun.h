@@ -33,16 +33,23 @@ struct SunTime
   double Hour = 9.0;       ///< Solar time.
 };
 
-/// Returns the unit vector to the sun: x east, y north, z up.
-glm::dvec3 GetDirectionToSun(const SunTime& time);
+/**
+ * Returns the unit vector to the sun:
+ *
+ *     axis that points up  east  north  up
+ *     z (2)                x     y      z
+ *     y (1)                x     -z     y
+ *     x (0)                y     z      x
+ */
+glm::dvec3 GetDirectionToSun(const SunTime& time, int upAxis = 2);
 
 /// Makes a directional light from the sun. SetSun() moves it.
-vtkSmartPointer<vtkLight> MakeSun(const SunTime& time);
-void SetSun(const SunTime& time, vtkLight* light);
+vtkSmartPointer<vtkLight> MakeSun(const SunTime& time, int upAxis = 2);
+void SetSun(const SunTime& time, vtkLight* light, int upAxis = 2);
 
-/// Lights the ground and the streets of a city as well, which otherwise have one colour that no
-/// shadow changes.
-void LightGround(const Scene& city);
+/// Lights the ground and the streets of a city, if the scene is one, or gives them the one colour
+/// again that they have at first and that no shadow changes.
+void LightGround(const Scene& scene, bool isLit = true);
 
 } // namespace NBufferExamples
 

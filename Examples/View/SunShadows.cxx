@@ -3,7 +3,6 @@
 #include "SunShadows.h"
 
 #include "vtkLight.h"
-#include "vtkProperty.h"
 
 #include <cmath>
 #include <iomanip>
@@ -21,11 +20,10 @@ constexpr double Evening = 20.0;
 SunShadows::SunShadows(View& view, const NBufferExamples::Scene& scene)
   : Where(view)
   , Parts(scene)
-  , Sun(NBufferExamples::MakeSun(Time))
+  , Sun(NBufferExamples::MakeSun(Time, scene.UpAxis))
 {
   this->Fill->SetLightTypeToHeadlight();
   this->Fill->SetIntensity(0.25);
-  this->PlaceSun();
 }
 
 void SunShadows::SetShown(bool shown)
@@ -62,7 +60,7 @@ void SunShadows::SetShown(bool shown)
       renderer->AddLight(light);
     }
   }
-  this->LightGround(shown);
+  NBufferExamples::LightGround(this->Parts, shown);
 }
 
 void SunShadows::Move(double hours)
@@ -70,7 +68,7 @@ void SunShadows::Move(double hours)
   const double length = Evening - Morning;
   const double since = std::fmod(this->Time.Hour + hours - Morning, length);
   this->Time.Hour = Morning + (since < 0.0 ? since + length : since);
-  this->PlaceSun();
+  NBufferExamples::SetSun(this->Time, this->Sun, this->Parts.UpAxis);
 }
 
 std::string SunShadows::GetTime() const
@@ -79,27 +77,6 @@ std::string SunShadows::GetTime() const
   std::ostringstream text;
   text << std::setfill('0') << std::setw(2) << minutes / 60 << ":" << std::setw(2) << minutes % 60;
   return text.str();
-}
-
-void SunShadows::PlaceSun()
-{
-  // East, north and up are x, y and z where z points up, and turned about where it does not.
-  const glm::dvec3 way = NBufferExamples::GetDirectionToSun(this->Time);
-  const glm::dvec3 place = this->Parts.UpAxis == 2 ? way
-    : this->Parts.UpAxis == 1                      ? glm::dvec3(way.x, way.z, -way.y)
-                                                   : glm::dvec3(way.z, way.x, way.y);
-  this->Sun->SetPosition(glm::value_ptr(place));
-}
-
-void SunShadows::LightGround(bool lit)
-{
-  // In a city the ground and the streets have one colour, which no shadow would change.
-  const std::size_t first =
-    this->Parts.Plan ? this->Parts.Plan->Buildings.size() : this->Parts.Actors.size();
-  for (std::size_t i = first; i < this->Parts.Actors.size(); ++i)
-  {
-    this->Parts.Actors[i]->GetProperty()->SetLighting(lit);
-  }
 }
 
 } // namespace NBufferView

@@ -3,8 +3,6 @@
 /**
  * @class SunShadows
  * @brief The shadows of a view in the light of the sun of 21 June, which can be moved.
- *
- * The vertical is the scene's up axis. East is x, or y in scenes in which x points up.
  */
 #ifndef SunShadows_h
 #define SunShadows_h
@@ -41,9 +39,6 @@ public:
   const vtkShadowStatistics& GetStatistics() const { return this->Pass->GetStatistics(); }
 
 private:
-  void PlaceSun();
-  void LightGround(bool lit);
-
   View& Where;
   const NBufferExamples::Scene& Parts;
   bool Shown = false;
