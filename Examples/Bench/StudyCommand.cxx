@@ -416,11 +416,20 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   command->add_flag("--depth-only", options->DepthOnly, "Only formats of depth, in a city");
   command->add_flag("--device-only", options->DeviceOnly,
     "Only how levels are built: again in part, and on the graphics device by size");
-  const auto add = [command](const char* name, int& value, const char* help)
-  { command->add_option(name, value, help)->check(CLI::Range(1, 1000)); };
-  add("--repeat", options->Repetitions, "Timed repetitions of each frame; default: 7");
-  add("--walk-frames", options->WalkFrames, "Whole frames of a path; default: 30");
-  add("--latent-pairs", options->LatentPairs, "Pairs of poses for latent culling; default: 12");
+  const auto add = [command](
+                     const char* name, int& value, int Effort::*usual, const std::string& help)
+  {
+    command
+      ->add_option(name, value,
+        help + "; default: " + std::to_string(Full.*usual) + ", with --quick " +
+          std::to_string(Quick.*usual) + ", with --tiny " + std::to_string(Tiny.*usual))
+      ->check(CLI::Range(1, 1000));
+  };
+  add("--repeat", options->Repetitions, &Effort::Repetitions,
+    "Timed repetitions of each frame that is tested");
+  add("--walk-frames", options->WalkFrames, &Effort::WalkFrames, "Whole frames of a path");
+  add("--latent-pairs", options->LatentPairs, &Effort::LatentPairs,
+    "Pairs of poses for latent culling and for levels that are built again in part");
   command->callback([options, &run]() { run = [options]() { return Study(*options).Run(); }; });
 }
 

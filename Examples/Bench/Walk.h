@@ -5,10 +5,11 @@
  * @brief Renders the frames of a camera path in several modes and times each.
  *
  * All modes take turns in one renderer of one window. A turn is a block of a few frames: first the
- * frame before the block, untimed, then the frames of the block, timed. So every timed frame comes
- * after the same frame as in an application that has only this mode. The modes of a block run one
- * after the other, and each block begins with another mode, so that disturbances of the machine
- * affect all modes alike.
+ * frame before the block, untimed (before the first block the second frame, and of a camera that
+ * stands still the frame itself), then the frames of the block, timed. So every timed frame, except
+ * for the first one, comes after the same frame as in an application that has only this mode. The
+ * modes of a block run one after the other, and each block begins with another mode, so that
+ * disturbances of the machine affect all modes alike.
  *
  * A time is the time of Render() and of waiting until the image is finished.
  */
@@ -63,8 +64,8 @@ struct WalkOptions
   std::string ImageFolder;
 };
 
-/// Returns the part of the report (SCHEMA.md) that is measured: modes, ratios, frames, props, block
-/// and, when verified, verified_frames and differing_bytes.
+/// Returns the part of the report (SCHEMA.md) that is measured: modes, ratios, frames, props,
+/// block, and verified_frames and differing_bytes, which are 0 unless frames are verified.
 Json::Value RunWalk(
   Session& session, const NBufferExamples::CameraPath& path, const WalkOptions& options);
 
