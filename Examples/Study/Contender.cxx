@@ -94,16 +94,10 @@ public:
       vtkNBufferMath::GetBaseRectangle(box.Screen.Pixels, this->Factor));
     ++counts.Queries;
     counts.Lookups += cover.Count;
-    const bool hidden = box.Screen.Nearest > this->Levels.Query(cover);
-    if (!hidden)
-    {
-      this->Place = this->Levels.FindPixels(cover);
-    }
-    return hidden;
+    // A place is never empty. What it costs to find it is measured.
+    return box.Screen.Nearest > this->Levels.Query(cover) ||
+      this->Levels.FindPixels(cover).IsEmpty();
   }
-
-private:
-  vtkNBufferRectangle Place; ///< The place of the last box that is not hidden.
 };
 
 std::string GetModuleName(int factor, bool testPixels)

@@ -3,6 +3,7 @@
 #include "DepthStructure.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 
