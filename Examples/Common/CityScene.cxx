@@ -132,7 +132,8 @@ enum class Shading
   Flat ///< The colour as it is: for what is level anyway.
 };
 
-vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const double color[3], Shading shading)
+vtkSmartPointer<vtkActor> MakePaintedActor(
+  vtkPolyData* data, const double color[3], Shading shading)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
@@ -176,7 +177,7 @@ vtkSmartPointer<vtkActor> MakeGround(const City& city)
   plane->SetPoint2(-side, side, 0.0);
   plane->Update();
   const double color[3] = { 0.50, 0.57, 0.42 };
-  return MakeActor(plane->GetOutput(), color, Shading::Flat);
+  return MakePaintedActor(plane->GetOutput(), color, Shading::Flat);
 }
 
 /// Streets of one width inside one tile, as lines.
@@ -257,7 +258,7 @@ void AddStreets(const City& city, bool carriageways, const double color[3], Acto
   }
   for (const auto& tile : tiles)
   {
-    actors.push_back(MakeActor(MakeRibbons(tile.second), color, Shading::Flat));
+    actors.push_back(MakePaintedActor(MakeRibbons(tile.second), color, Shading::Flat));
   }
 }
 }
@@ -302,7 +303,7 @@ Actors MakeCityActors(const City& city)
   for (const CityBuilding& building : city.Buildings)
   {
     actors.push_back(
-      MakeActor(MakeBuilding(building), GetBuildingColor(building).data(), Shading::Lit));
+      MakePaintedActor(MakeBuilding(building), GetBuildingColor(building).data(), Shading::Lit));
   }
   const double asphalt[3] = { 0.47, 0.48, 0.50 };
   const double gravel[3] = { 0.68, 0.64, 0.56 };

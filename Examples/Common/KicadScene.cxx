@@ -280,52 +280,27 @@ private:
 };
 
 /// Around the cage, 0.9 m from its middle line.
-CameraPath MakeOutside(int frames)
+CameraPose LookFromOutside(int frame, int frames)
 {
-  CameraPath path;
-  for (int i = 0; i < frames; ++i)
-  {
-    const double angle = 2.0 * vtkMath::Pi() * (i + 0.25) / frames;
-    const double length = 0.5 * Slots * Pitch + 500.0;
-    path.push_back({ { 900.0 * std::cos(angle), 300.0, length * std::sin(angle) }, Middle,
-      { 0.0, 1.0, 0.0 }, 60.0, 50.0, 4000.0 });
-  }
-  return path;
+  const double angle = 2.0 * vtkMath::Pi() * (frame + 0.25) / frames;
+  const double length = 0.5 * Slots * Pitch + 500.0;
+  return { { 900.0 * std::cos(angle), 300.0, length * std::sin(angle) }, Middle, { 0.0, 1.0, 0.0 },
+    60.0, 50.0, 4000.0 };
 }
 
 /// Between two boards, eight times another two, once around in each gap, looking along the boards.
-CameraPath MakeBetween(int frames)
+CameraPose LookBetween(int frame, int frames)
 {
   constexpr int gaps = 8;
-  CameraPath path;
-  for (int i = 0; i < frames; ++i)
-  {
-    const int gap = i * gaps / frames;
-    const double share = static_cast<double>(i) * gaps / frames - gap;
-    const int slot = (7 + 11 * gap) % (Slots - 1);
-    // Nearer to the boards that one looks at from behind: their parts are on the other side.
-    const double z = (slot + 0.75 - 0.5 * (Slots - 1)) * Pitch;
-    const double yaw = 2.0 * vtkMath::Pi() * share;
-    const glm::dvec3 eye = { 40.0 * (share - 0.5), 10.0, z };
-    path.push_back({ eye, { eye.x + std::cos(yaw), eye.y + std::sin(yaw), z - 0.15 },
-      { 0.0, 0.0, 1.0 }, 60.0, 0.5, 2500.0 });
-  }
-  return path;
-}
-
-/// Low over one board, looking at its middle.
-CameraPath MakeOver(const KicadBoard& board, int frames)
-{
-  const double radius =
-    0.5 * std::max(board.High[0] - board.Low[0], board.High[1] - board.Low[1]) + 10.0;
-  CameraPath path;
-  for (int i = 0; i < frames; ++i)
-  {
-    const double angle = 2.0 * vtkMath::Pi() * i / frames;
-    path.push_back({ { radius * std::cos(angle), radius * std::sin(angle), 25.0 }, Middle,
-      { 0.0, 0.0, 1.0 }, 50.0, 2.0, 500.0 });
-  }
-  return path;
+  const int gap = frame * gaps / frames;
+  const double share = static_cast<double>(frame) * gaps / frames - gap;
+  const int slot = (7 + 11 * gap) % (Slots - 1);
+  // Nearer to the boards that one looks at from behind: their parts are on the other side.
+  const double z = (slot + 0.75 - 0.5 * (Slots - 1)) * Pitch;
+  const double yaw = 2.0 * vtkMath::Pi() * share;
+  const glm::dvec3 eye = { 40.0 * (share - 0.5), 10.0, z };
+  return { eye, { eye.x + std::cos(yaw), eye.y + std::sin(yaw), z - 0.15 }, { 0.0, 0.0, 1.0 }, 60.0,
+    0.5, 2500.0 };
 }
 
 Scene LoadBoard(const fs::path& file, const Progress& progress)
@@ -338,8 +313,16 @@ Scene LoadBoard(const fs::path& file, const Progress& progress)
     builder.AddPieces(board, part, 0.0);
   }
   Scene scene = builder.Finish(file.stem().string());
-  scene.Paths = { { "over",
-    [board](int frames, std::uint64_t) { return MakeOver(board, frames); } } };
+  // Low over the board, looking at its middle.
+  const double radius =
+    0.5 * std::max(board.High[0] - board.Low[0], board.High[1] - board.Low[1]) + 10.0;
+  const auto look = [radius](int frame, int frames) -> CameraPose
+  {
+    const double angle = 2.0 * vtkMath::Pi() * frame / frames;
+    return { { radius * std::cos(angle), radius * std::sin(angle), 25.0 }, Middle,
+      { 0.0, 0.0, 1.0 }, 50.0, 2.0, 500.0 };
+  };
+  scene.Paths = { { "over", MakePathOf(look) } };
   return scene;
 }
 
@@ -376,8 +359,8 @@ Scene LoadCage(const fs::path& folder, bool inPieces, const Progress& progress)
   }
   Scene scene = builder.Finish(inPieces ? "card cage of actors" : "card cage");
   scene.UpAxis = 1;
-  scene.Paths = { { "outside", [](int frames, std::uint64_t) { return MakeOutside(frames); } },
-    { "between", [](int frames, std::uint64_t) { return MakeBetween(frames); } } };
+  scene.Paths = { { "outside", MakePathOf(LookFromOutside) },
+    { "between", MakePathOf(LookBetween) } };
   return scene;
 }
 }

@@ -36,6 +36,19 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const glm::dvec3& color)
   return actor;
 }
 
+Scene::PathMaker MakePathOf(std::function<CameraPose(int frame, int frames)> look)
+{
+  return [look = std::move(look)](int frames, std::uint64_t)
+  {
+    CameraPath path;
+    for (int i = 0; i < frames; ++i)
+    {
+      path.push_back(look(i, frames));
+    }
+    return path;
+  };
+}
+
 namespace
 {
 /// A gyroid of six periods along each axis in the cube from -1 to 1: 0.9 million triangles.
@@ -100,14 +113,53 @@ vtkSmartPointer<vtkPolyData> MakeGroundMesh()
   return ground;
 }
 
-CameraPose Look(const glm::dvec3& eye, const glm::dvec3& target, double viewAngle)
+/// Coordinates from -1 to 1. (The order in which the arguments of a function are evaluated would be
+/// that of the compiler.)
+glm::dvec3 DrawPoint(std::minstd_rand& random)
 {
-  CameraPose pose;
-  pose.Eye = eye;
-  pose.Target = target;
-  pose.Up = { 0.0, 0.0, 1.0 };
-  pose.ViewAngle = viewAngle;
-  return pose;
+  std::uniform_real_distribution<> uniform(-1.0, 1.0);
+  const double z = uniform(random);
+  const double y = uniform(random);
+  const double x = uniform(random);
+  return { x, y, z };
+}
+
+vtkSmartPointer<vtkActor> MakeCloud(vtkPoints* points, const glm::dvec3& color)
+{
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    vertices->InsertNextCell({ i });
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  const vtkSmartPointer<vtkActor> cloud = MakeActor(data, color);
+  cloud->GetProperty()->SetPointSize(2.0F);
+  return cloud;
+}
+
+/// Hides what is between -1 and 1 from the first half of the path "past".
+vtkSmartPointer<vtkActor> MakeWall()
+{
+  vtkNew<vtkPlaneSource> wall;
+  wall->SetOrigin(-3.0, -2.0, -3.0);
+  wall->SetPoint1(3.0, -2.0, -3.0);
+  wall->SetPoint2(-3.0, -2.0, 3.0);
+  wall->Update();
+  return MakeActor(wall->GetOutput(), { 0.6, 0.6, 0.6 });
+}
+
+/// With the planes at 0 they are fitted to the scene.
+CameraPose Look(const glm::dvec3& eye, const glm::dvec3& target, double viewAngle,
+  double near = 0.0, double far = 0.0)
+{
+  return { eye, target, { 0.0, 0.0, 1.0 }, viewAngle, near, far };
+}
+
+CameraPose LookPast(int frame)
+{
+  return Look({ -0.5 + 0.01 * frame, -6.0, 0.2 }, { 0.0, 0.0, 0.0 }, 30.0);
 }
 }
 
@@ -116,73 +168,37 @@ Scene MakeIsosurface()
   Scene scene;
   scene.Name = "isosurface";
   scene.Actors = { MakeActor(MakeGyroid(), { 0.8, 0.7, 0.5 }) };
-  scene.Paths = { { "outside",
-                    [](int frames, std::uint64_t)
-                    {
-                      CameraPath path;
-                      for (int i = 0; i < frames; ++i)
-                      {
-                        const double angle = 0.5 + 0.01 * i;
-                        path.push_back(Look({ 4.5 * std::cos(angle), 4.5 * std::sin(angle), 2.0 },
-                          { 0.0, 0.0, 0.0 }, 30.0));
-                      }
-                      return path;
-                    } },
-    { "inside",
-      [](int frames, std::uint64_t)
-      {
-        // Along an axis on which the gyroid leaves a channel open, looking around.
-        CameraPath path;
-        for (int i = 0; i < frames; ++i)
-        {
-          const glm::dvec3 eye(0.125, 0.0, -0.6 + 0.004 * i);
-          const double turn = 0.02 * i;
-          path.push_back(Look(eye,
-            eye + glm::dvec3(std::cos(turn), std::sin(turn), 0.5 * std::sin(2.0 * turn)), 60.0));
-          path.back().Near = 0.005;
-          path.back().Far = 4.0;
-        }
-        return path;
-      } } };
+  const auto lookFromOutside = [](int frame, int)
+  {
+    const double angle = 0.5 + 0.01 * frame;
+    return Look({ 4.5 * std::cos(angle), 4.5 * std::sin(angle), 2.0 }, { 0.0, 0.0, 0.0 }, 30.0);
+  };
+  // Along an axis on which the gyroid leaves a channel open, looking around.
+  const auto lookFromInside = [](int frame, int)
+  {
+    const glm::dvec3 eye(0.125, 0.0, -0.6 + 0.004 * frame);
+    const double turn = 0.02 * frame;
+    return Look(eye, eye + glm::dvec3(std::cos(turn), std::sin(turn), 0.5 * std::sin(2.0 * turn)),
+      60.0, 0.005, 4.0);
+  };
+  scene.Paths = { { "outside", MakePathOf(lookFromOutside) },
+    { "inside", MakePathOf(lookFromInside) } };
   return scene;
 }
 
 Scene MakePointsBehindWall(int count)
 {
   std::minstd_rand random(1);
-  std::uniform_real_distribution<> uniform(-1.0, 1.0);
   vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> vertices;
   points->SetNumberOfPoints(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    points->SetPoint(i, uniform(random), uniform(random), uniform(random));
-    vertices->InsertNextCell({ i });
+    points->SetPoint(i, glm::value_ptr(DrawPoint(random)));
   }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  cloud->SetVerts(vertices);
-  vtkNew<vtkPlaneSource> wall;
-  wall->SetOrigin(-3.0, -2.0, -3.0);
-  wall->SetPoint1(3.0, -2.0, -3.0);
-  wall->SetPoint2(-3.0, -2.0, 3.0);
-  wall->Update();
-
   Scene scene;
   scene.Name = "points-wall";
-  scene.Actors = { MakeActor(wall->GetOutput(), { 0.6, 0.6, 0.6 }),
-    MakeActor(cloud, { 0.9, 0.3, 0.2 }) };
-  scene.Actors[1]->GetProperty()->SetPointSize(2.0F);
-  scene.Paths = { { "past",
-    [](int frames, std::uint64_t)
-    {
-      CameraPath path;
-      for (int i = 0; i < frames; ++i)
-      {
-        path.push_back(Look({ -0.5 + 0.01 * i, -6.0, 0.2 }, { 0.0, 0.0, 0.0 }, 30.0));
-      }
-      return path;
-    } } };
+  scene.Actors = { MakeWall(), MakeCloud(points, { 0.9, 0.3, 0.2 }) };
+  scene.Paths = { { "past", MakePathOf([](int frame, int) { return LookPast(frame); }) } };
   return scene;
 }
 
@@ -196,48 +212,28 @@ Scene MakeTerrain(int count)
     std::minstd_rand random(2);
     std::uniform_real_distribution<> uniform(-4.0, 4.0);
     vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> vertices;
     points->SetNumberOfPoints(count);
     for (vtkIdType i = 0; i < count; ++i)
     {
       const double x = uniform(random);
       const double y = uniform(random);
       points->SetPoint(i, x, y, GetHeight(x, y) + 0.01);
-      vertices->InsertNextCell({ i });
     }
-    vtkNew<vtkPolyData> cloud;
-    cloud->SetPoints(points);
-    cloud->SetVerts(vertices);
-    scene.Actors.push_back(MakeActor(cloud, { 0.9, 0.5, 0.2 }));
-    scene.Actors[1]->GetProperty()->SetPointSize(2.0F);
+    scene.Actors.push_back(MakeCloud(points, { 0.9, 0.5, 0.2 }));
   }
-  scene.Paths = { { "eye-height",
-                    [](int frames, std::uint64_t)
-                    {
-                      CameraPath path;
-                      for (int i = 0; i < frames; ++i)
-                      {
-                        const double x = -2.5 + 0.02 * i;
-                        const double y = 0.3 * std::sin(0.05 * i);
-                        const glm::dvec3 eye(x, y, GetHeight(x, y) + 0.06);
-                        path.push_back(
-                          Look(eye, eye + glm::dvec3(1.0, 0.4 * std::sin(0.03 * i), -0.03), 50.0));
-                        path.back().Near = 0.01;
-                        path.back().Far = 12.0;
-                      }
-                      return path;
-                    } },
-    { "above",
-      [](int frames, std::uint64_t)
-      {
-        CameraPath path;
-        for (int i = 0; i < frames; ++i)
-        {
-          const double x = -0.5 + 0.01 * i;
-          path.push_back(Look({ x, -0.01, 10.0 }, { x, 0.0, 0.0 }, 45.0));
-        }
-        return path;
-      } } };
+  const auto lookAhead = [](int frame, int)
+  {
+    const double x = -2.5 + 0.02 * frame;
+    const double y = 0.3 * std::sin(0.05 * frame);
+    const glm::dvec3 eye(x, y, GetHeight(x, y) + 0.06);
+    return Look(eye, eye + glm::dvec3(1.0, 0.4 * std::sin(0.03 * frame), -0.03), 50.0, 0.01, 12.0);
+  };
+  const auto lookDown = [](int frame, int)
+  {
+    const double x = -0.5 + 0.01 * frame;
+    return Look({ x, -0.01, 10.0 }, { x, 0.0, 0.0 }, 45.0);
+  };
+  scene.Paths = { { "eye-height", MakePathOf(lookAhead) }, { "above", MakePathOf(lookDown) } };
   return scene;
 }
 
@@ -245,7 +241,6 @@ Scene MakeGlyphs(const std::string& name, int count)
 {
   const bool isLayer = name == "glyph-open";
   std::minstd_rand random(1);
-  std::uniform_real_distribution<> uniform(-1.0, 1.0);
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(count);
   // A layer of 5 columns for 4 rows.
@@ -253,15 +248,10 @@ Scene MakeGlyphs(const std::string& name, int count)
   const double distance = 2.0 / columns;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    if (isLayer)
-    {
-      points->SetPoint(i, distance * static_cast<double>(i % columns) - 1.0,
-        distance * static_cast<double>(i / columns) - 0.8, 0.0);
-    }
-    else
-    {
-      points->SetPoint(i, uniform(random), uniform(random), uniform(random));
-    }
+    const glm::dvec3 point = isLayer ? glm::dvec3(distance * static_cast<double>(i % columns) - 1.0,
+                                         distance * static_cast<double>(i / columns) - 0.8, 0.0)
+                                     : DrawPoint(random);
+    points->SetPoint(i, glm::value_ptr(point));
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
@@ -287,26 +277,15 @@ Scene MakeGlyphs(const std::string& name, int count)
   scene.Name = name;
   if (name == "glyph-wall")
   {
-    vtkNew<vtkPlaneSource> wall;
-    wall->SetOrigin(-3.0, -2.0, -3.0);
-    wall->SetPoint1(3.0, -2.0, -3.0);
-    wall->SetPoint2(-3.0, -2.0, 3.0);
-    wall->Update();
-    scene.Actors = { MakeActor(wall->GetOutput(), { 0.6, 0.6, 0.6 }) };
+    scene.Actors.push_back(MakeWall());
   }
   scene.Actors.push_back(glyphs);
-  scene.Paths = { { "past",
-    [isLayer](int frames, std::uint64_t)
-    {
-      CameraPath path;
-      for (int i = 0; i < frames; ++i)
-      {
-        const double x = -0.5 + 0.01 * i;
-        path.push_back(isLayer ? Look({ 0.1 * x, -0.01, 5.0 }, { 0.1 * x, 0.0, 0.0 }, 30.0)
-                               : Look({ x, -6.0, 0.2 }, { 0.0, 0.0, 0.0 }, 30.0));
-      }
-      return path;
-    } } };
+  const auto look = [isLayer](int frame, int)
+  {
+    const double x = 0.1 * (-0.5 + 0.01 * frame);
+    return isLayer ? Look({ x, -0.01, 5.0 }, { x, 0.0, 0.0 }, 30.0) : LookPast(frame);
+  };
+  scene.Paths = { { "past", MakePathOf(look) } };
   return scene;
 }
 

@@ -68,21 +68,12 @@ vtkSmartPointer<vtkPolyData> MakeCrown(
 
 void AddPath(Scene& scene, const glm::dvec3& from, double reach)
 {
-  scene.Paths = { { "past",
-    [from, reach](int frames, std::uint64_t)
-    {
-      CameraPath path;
-      for (int i = 0; i < frames; ++i)
-      {
-        CameraPose pose;
-        pose.Eye = from + glm::dvec3(reach * std::sin(0.3 * i), 0.0, 0.0);
-        pose.Target = { 0.0, 0.0, 0.0 };
-        pose.Up = { 0.0, 0.0, 1.0 };
-        pose.ViewAngle = 30.0;
-        path.push_back(pose);
-      }
-      return path;
-    } } };
+  const auto look = [from, reach](int frame, int) -> CameraPose
+  {
+    return { from + glm::dvec3(reach * std::sin(0.3 * frame), 0.0, 0.0), { 0.0, 0.0, 0.0 },
+      { 0.0, 0.0, 1.0 } };
+  };
+  scene.Paths = { { "past", MakePathOf(look) } };
 }
 }
 

@@ -312,41 +312,30 @@ private:
   vtkSmartPointer<vtkPolyDataMapper> Box, Cylinder, Drum, Ball, Elbow;
 };
 
-CameraPath MakeInside(int frames)
+CameraPose LookInside(int frame, int frames)
 {
+  const double share = static_cast<double>(frame) / frames;
   // Between the first two racks, where the vessels are not.
   const double y = GetRackPlace(0) + 0.5 * RackStep - 2.0;
-  CameraPath path;
-  for (int i = 0; i < frames; ++i)
-  {
-    const double share = static_cast<double>(i) / frames;
-    const Point eye = { (share - 0.5) * (Length - 20.0), y, 1.7 };
-    // The camera looks ahead and, four times on the way, to the left and right.
-    const double yaw = 1.2 * std::sin(8.0 * vtkMath::Pi() * share);
-    path.push_back(
-      { eye, eye + Point(std::cos(yaw), std::sin(yaw), 0.1), { 0.0, 0.0, 1.0 }, 60.0, 0.1, 250.0 });
-  }
-  return path;
+  const Point eye = { (share - 0.5) * (Length - 20.0), y, 1.7 };
+  // The camera looks ahead and, four times on the way, to the left and right.
+  const double yaw = 1.2 * std::sin(8.0 * vtkMath::Pi() * share);
+  return { eye, eye + Point(std::cos(yaw), std::sin(yaw), 0.1), { 0.0, 0.0, 1.0 }, 60.0, 0.1,
+    250.0 };
 }
 
-CameraPath MakeAround(int frames)
+CameraPose LookAround(int frame, int frames)
 {
-  CameraPath path;
-  for (int i = 0; i < frames; ++i)
-  {
-    const double angle = 2.0 * vtkMath::Pi() * i / frames;
-    path.push_back({ { 110.0 * std::cos(angle), 80.0 * std::sin(angle), 25.0 }, { 0.0, 0.0, 5.0 },
-      { 0.0, 0.0, 1.0 }, 45.0, 5.0, 300.0 });
-  }
-  return path;
+  const double angle = 2.0 * vtkMath::Pi() * frame / frames;
+  return { { 110.0 * std::cos(angle), 80.0 * std::sin(angle), 25.0 }, { 0.0, 0.0, 5.0 },
+    { 0.0, 0.0, 1.0 }, 45.0, 5.0, 300.0 };
 }
 }
 
 Scene MakePlant(std::uint64_t seed)
 {
   Scene scene = PlantBuilder(seed).Build();
-  scene.Paths = { { "inside", [](int frames, std::uint64_t) { return MakeInside(frames); } },
-    { "around", [](int frames, std::uint64_t) { return MakeAround(frames); } } };
+  scene.Paths = { { "inside", MakePathOf(LookInside) }, { "around", MakePathOf(LookAround) } };
   return scene;
 }
 

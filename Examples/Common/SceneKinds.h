@@ -30,6 +30,10 @@ Scene MakePlant(std::uint64_t seed);
 /// Makes an actor of a mesh that does not change.
 vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const glm::dvec3& color);
 
+/// Makes a path whose poses `look` returns by the number of the frame, from 0 on, and the number of
+/// frames of the path.
+Scene::PathMaker MakePathOf(std::function<CameraPose(int frame, int frames)> look);
+
 /// Makes an isosurface of 0.9 million triangles that fills a cube, with the paths "outside", around
 /// it, and "inside", through its channels.
 Scene MakeIsosurface();
