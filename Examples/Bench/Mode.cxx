@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mode.h"
 
-#include "EarlyDepthPass.h"
 #include "ModeSettings.h"
+
+#include "vtkNBufferRenderPassTraits.h"
 
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 
@@ -20,6 +26,46 @@ namespace
 {
 using NBufferPeers::QueryMethod;
 using NBufferPeers::QueryTarget;
+
+/**
+ * Draws opaque props twice: their depth alone, then their colours where they are seen.
+ *
+ * In the second drawing only what is nearest passes the depth test (VTK's is "not farther"), so
+ * that a device that tests before it shades does so about once for each pixel. VTK has no shaders
+ * for depth alone: the first drawing differs by masked colours only. The image is the same to the
+ * bit, because the last of equal depths wins as before, and the same shader gives the same depth
+ * again. To be used as the opaque pass of a vtkRenderStepsPass.
+ */
+class EarlyDepthPass
+  : public vtkRenderPass
+  , public vtkNBufferRenderPassTraits
+{
+public:
+  static EarlyDepthPass* New() { VTK_STANDARD_NEW_BODY(EarlyDepthPass); }
+  vtkTypeMacro(EarlyDepthPass, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    {
+      vtkOpenGLState* openGL =
+        static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow())->GetState();
+      const vtkOpenGLState::ScopedglColorMask mask(openGL);
+      openGL->vtkglColorMask(false, false, false, false);
+      this->Opaque->Render(state);
+    }
+    this->Opaque->Render(state);
+    this->NumberOfRenderedProps = this->Opaque->GetNumberOfRenderedProps();
+  }
+
+  ///@{
+  /// What the culler wants to know.
+  std::vector<vtkRenderPass*> GetDelegatePasses() override { return { this->Opaque }; }
+  bool DrawsOpaquePropsTwice() const override { return true; }
+  ///@}
+
+private:
+  vtkNew<vtkOpaquePass> Opaque;
+};
 
 struct QueryMode
 {
@@ -74,7 +120,7 @@ Mode::Mode(const std::string& name, const std::string& backend)
   if (isEarly)
   {
     vtkNew<vtkRenderStepsPass> steps;
-    steps->SetOpaquePass(vtkNew<NBufferPeers::EarlyDepthPass>());
+    steps->SetOpaquePass(vtkNew<EarlyDepthPass>());
     this->Pass = steps;
   }
   if (kind == "stock" || isEarly || isNBuffer)

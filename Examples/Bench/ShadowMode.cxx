@@ -3,11 +3,13 @@
 #include "ShadowMode.h"
 
 #include "ModeSettings.h"
-#include "PolygonOffsetPass.h"
 #include "RerenderedLitmap.h"
+
+#include "vtkNBufferGL.h"
 
 #include "vtkCameraPass.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -34,6 +36,37 @@ constexpr VolumeKind VolumeKinds[] = { { "unclamped", Pass::Unclamped, 4 },
   { "cull", Pass::Culled, 4 }, { "auto", Pass::Automatic, 4 }, { "exact", Pass::Scissored, 4 },
   { "clamp", Pass::Clamped, 64 }, { "slabs", Pass::Clamped, 4 }, { "paper", Pass::Clamped, 64 } };
 
+/// Draws another pass with a polygon offset: the bias of a shadow map whose baker has none.
+class PolygonOffsetPass : public vtkRenderPass
+{
+public:
+  static PolygonOffsetPass* New() { VTK_STANDARD_NEW_BODY(PolygonOffsetPass); }
+  vtkTypeMacro(PolygonOffsetPass, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    // VTK neither switches offsets of polygons on nor keeps this state in its cache.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(this->Factor, this->Units);
+    this->Delegate->Render(state);
+    glPolygonOffset(0.0f, 0.0f);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Delegate->ReleaseGraphicsResources(window);
+  }
+
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  ///@{
+  /// The parameters of glPolygonOffset().
+  float Factor = 0.0f;
+  float Units = 0.0f;
+  ///@}
+};
+
 vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution, const ShadowMapSettings& settings)
 {
   vtkNew<vtkShadowMapPass> shadows;
@@ -45,8 +78,10 @@ vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution, const ShadowMapSet
   SetExponent(baker, settings.Exponent);
   if (settings.OffsetFactor > 0 || settings.OffsetUnits > 0)
   {
-    vtkNew<NBufferPeers::PolygonOffsetPass> offset;
-    offset->Set(baker->GetOpaqueSequence(), settings.OffsetFactor, settings.OffsetUnits);
+    vtkNew<PolygonOffsetPass> offset;
+    offset->Delegate = baker->GetOpaqueSequence();
+    offset->Factor = static_cast<float>(settings.OffsetFactor);
+    offset->Units = static_cast<float>(settings.OffsetUnits);
     baker->SetOpaqueSequence(offset);
   }
   vtkNew<vtkRenderPassCollection> passes;

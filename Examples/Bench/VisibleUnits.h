@@ -33,8 +33,8 @@ struct VisibleUnits
  * props that it divides by default. Of instances those that own a pixel are drawn, and not whole
  * units. Each of the new actors has been drawn once, so that its buffers are on the device.
  *
- * A hardware selection of cells finds which primitives own a pixel (without multisampling), and
- * VisibleInstances.h which instances do.
+ * A hardware selection of cells finds which primitives own a pixel (without multisampling), and a
+ * drawing in the colours of their numbers which instances do.
  */
 VisibleUnits ReplaceByVisibleUnits(Session& session, const NBufferExamples::CameraPath& path,
   std::vector<std::vector<vtkProp*>>& visible);

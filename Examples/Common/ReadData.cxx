@@ -4,9 +4,8 @@
  * @file ReadData.cxx
  * @brief Files of data: meshes, grids, and trees of them, read by VTK.
  */
+#include "FileCheck.h"
 #include "FileFormats.h"
-#include "LegacyCheck.h"
-#include "PlyCheck.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
