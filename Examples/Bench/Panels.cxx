@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panels.h"
 
+#include "Frames.h"
+
 #include "vtkCamera.h"
 #include "vtkImageActor.h"
 #include "vtkImageMapper3D.h"
@@ -10,7 +12,6 @@
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <cmath>
 
@@ -61,11 +62,7 @@ vtkSmartPointer<vtkImageData> ComposePanels(const std::vector<Panel>& panels, do
   window->SetSize(total, height);
   window->AddRenderer(renderer);
   window->Render();
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->Update();
-  return grab->GetOutput();
+  return NBufferExamples::MakeColorImage(window, NBufferExamples::GrabPixels(window));
 }
 
 } // namespace NBufferBench

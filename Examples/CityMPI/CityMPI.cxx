@@ -89,8 +89,7 @@ int main(int argc, char* argv[])
     }
     if (process == 0 && argc > 1)
     {
-      NBufferExamples::WritePNG(
-        NBufferExamples::MakeColorImage(window, NBufferExamples::GrabPixels(window)), argv[1]);
+      NBufferExamples::WriteFrame(window, argv[1]);
     }
   }
   controller->Finalize();

@@ -10,20 +10,17 @@
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkLight.h"
 #include "vtkNBufferCuller.h"
-#include "vtkPNGWriter.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkShadowVolumeClampPass.h"
 #include "vtkSphereSource.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <CLI/CLI.hpp>
 
 #include <vtksys/SystemTools.hxx>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
@@ -173,13 +170,8 @@ void Example::Compare(
               << " ms, " << counts.UnitsKept + counts.UnitsFresh << " units drawn, "
               << counts.UnitsHidden << " hidden, " << counts.UnitsOutside << " outside\n";
   }
-  for (std::vector<double>& list : times)
-  {
-    std::nth_element(
-      list.begin(), list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2), list.end());
-  }
-  const double stock = times[0][times[0].size() / 2];
-  const double own = times[1][times[1].size() / 2];
+  const double stock = GetMedian(times[0]);
+  const double own = GetMedian(times[1]);
   std::cout << "medians: stock VTK " << stock << second << own << " ms";
   if (this->On)
   {
@@ -215,18 +207,7 @@ void Example::Show(const std::string& picture, vtkShadowVolumeClampPass* pass)
   }
   vtksys::SystemTools::MakeDirectory(this->Out);
   this->Window->Render();
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(this->Window);
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grab->GetOutputPort());
-  writer->SetFileName((this->Out + "/" + picture + ".png").c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-  {
-    throw std::runtime_error(std::string("cannot write ") + writer->GetFileName());
-  }
+  WriteFrame(this->Window, this->Out + "/" + picture + ".png");
   if (!pass)
   {
     return;

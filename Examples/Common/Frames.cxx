@@ -4,6 +4,7 @@
 
 #include "vtkErrorCode.h"
 #include "vtkImageExtractComponents.h"
+#include "vtkNBufferClock.h"
 #include "vtkNBufferVTKVersion.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
@@ -13,7 +14,6 @@
 #include "vtkRendererCollection.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <regex>
@@ -24,11 +24,17 @@ namespace NBufferExamples
 
 double RenderTimed(vtkRenderWindow* window)
 {
-  const auto begin = std::chrono::steady_clock::now();
+  const vtkNBufferClock clock;
   window->Render();
   window->WaitForCompletion();
-  const auto end = std::chrono::steady_clock::now();
-  return std::chrono::duration<double, std::milli>(end - begin).count();
+  return clock.GetMilliseconds();
+}
+
+double GetMedian(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> GrabPixels(vtkRenderWindow* window)
@@ -86,6 +92,11 @@ void WritePNG(vtkImageData* image, const std::string& fileName)
   {
     throw std::runtime_error("cannot write " + fileName);
   }
+}
+
+void WriteFrame(vtkRenderWindow* window, const std::string& fileName)
+{
+  WritePNG(MakeColorImage(window, GrabPixels(window)), fileName);
 }
 
 void CheckDisplay(vtkRenderWindow* window, bool isShown, const std::string& option)

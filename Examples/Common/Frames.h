@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <string>
+#include <vector>
 
 class vtkRenderWindow;
 
@@ -20,6 +21,9 @@ namespace NBufferExamples
 
 /// Renders, waits until the image is finished, and returns the milliseconds that both took.
 double RenderTimed(vtkRenderWindow* window);
+
+/// Returns the median of at least one number, the higher one of two in the middle.
+double GetMedian(std::vector<double> values);
 
 /// Returns the RGBA bytes of the frame that was rendered last, row 0 at the bottom.
 vtkSmartPointer<vtkUnsignedCharArray> GrabPixels(vtkRenderWindow* window);
@@ -34,8 +38,12 @@ long long CountDifferingBytes(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b);
 /// empty name passes.
 void CheckWritable(const std::string& fileName);
 
-/// Throws std::runtime_error if the file cannot be written.
+///@{
+/// Write an image, or the frame that a window rendered last. Throw std::runtime_error if the file
+/// cannot be written.
 void WritePNG(vtkImageData* image, const std::string& fileName);
+void WriteFrame(vtkRenderWindow* window, const std::string& fileName);
+///@}
 
 /// Throws std::runtime_error if a window cannot be drawn (VTK ends the program where it finds no X
 /// server) or, if `isShown`, cannot be seen; `option` is what draws a picture instead.

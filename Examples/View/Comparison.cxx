@@ -4,20 +4,12 @@
 
 #include "Frames.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace NBufferView
 {
 namespace
 {
-double GetMedian(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// While it lives, the scene is drawn alone. Then everything is as before.
 class SceneAlone
 {
@@ -101,8 +93,8 @@ void Comparison::Measure(int turns)
       times[on].push_back(this->Where.Draw());
     }
   }
-  this->StockTime = GetMedian(times[0]);
-  this->OwnTime = GetMedian(times[1]);
+  this->StockTime = NBufferExamples::GetMedian(times[0]);
+  this->OwnTime = NBufferExamples::GetMedian(times[1]);
   this->Culler->SetTuning(usual);
 }
 

@@ -9,21 +9,11 @@
 #include "vtkCommand.h"
 #include "vtkMath.h"
 
-#include <chrono>
 #include <cmath>
 #include <string>
 
 namespace NBufferView
 {
-namespace
-{
-double GetClock()
-{
-  return std::chrono::duration<double, std::milli>(
-    std::chrono::steady_clock::now().time_since_epoch())
-    .count();
-}
-}
 
 View::View(const NBufferExamples::Scene& scene, std::array<int, 2> size, bool isShown)
   : Parts(scene)
@@ -132,13 +122,13 @@ void View::BeginFrame()
 
 void View::BeginScene()
 {
-  this->BeginTime = GetClock();
+  this->Clock.Restart();
 }
 
 void View::EndScene()
 {
   this->Window->WaitForCompletion();
-  this->LastTime = GetClock() - this->BeginTime;
+  this->LastTime = this->Clock.GetMilliseconds();
 }
 
 } // namespace NBufferView

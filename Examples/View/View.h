@@ -13,6 +13,7 @@
 
 #include "Scene.h"
 
+#include "vtkNBufferClock.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -65,7 +66,7 @@ private:
 
   const NBufferExamples::Scene& Parts;
   double Bounds[6];
-  double BeginTime = 0.0; ///< Milliseconds of a clock.
+  vtkNBufferClock Clock; ///< Of the frame that is being drawn.
   double LastTime = 0.0;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> SceneRenderer;

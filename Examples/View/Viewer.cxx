@@ -147,9 +147,7 @@ void Viewer::Run()
 void Viewer::WritePicture(const std::string& fileName)
 {
   this->Where.Draw();
-  vtkRenderWindow* window = this->Where.GetWindow();
-  NBufferExamples::WritePNG(
-    NBufferExamples::MakeColorImage(window, NBufferExamples::GrabPixels(window)), fileName);
+  NBufferExamples::WriteFrame(this->Where.GetWindow(), fileName);
 }
 
 void Viewer::SwitchCuller()
