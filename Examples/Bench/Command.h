@@ -58,7 +58,7 @@ struct ViewOptions
                           "(synthetic), a folder of "
                           ".kicad_pcb (with :actors behind: all "
                           "actors of VTK's importer), or a file of " +
-    NBufferExamples::ListEndings(" ") + ", or several of " + NBufferExamples::ListPartEndings(" ") +
+    NBufferExamples::ListEndings() + ", or several of " + NBufferExamples::ListEndings(true) +
     "; each also as .gz";
 
   ///@{

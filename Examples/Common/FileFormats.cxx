@@ -42,19 +42,6 @@ std::vector<FileFormat> MakeFormats()
     [](const FileFormat& a, const FileFormat& b) { return a.Ending < b.Ending; });
   return formats;
 }
-
-std::string List(const std::string& separator, bool onlyParts)
-{
-  std::string list;
-  for (const FileFormat& format : GetFileFormats())
-  {
-    if (format.IsPart || !onlyParts)
-    {
-      list += (list.empty() ? "" : separator) + format.Ending;
-    }
-  }
-  return list;
-}
 }
 
 const std::vector<FileFormat>& GetFileFormats()
@@ -71,14 +58,17 @@ const FileFormat* FindFileFormat(const std::string& ending)
   return found == formats.end() ? nullptr : &*found;
 }
 
-std::string ListEndings(const std::string& separator)
+std::string ListEndings(bool onlyParts)
 {
-  return List(separator, false);
-}
-
-std::string ListPartEndings(const std::string& separator)
-{
-  return List(separator, true);
+  std::string list;
+  for (const FileFormat& format : GetFileFormats())
+  {
+    if (format.IsPart || !onlyParts)
+    {
+      list += (list.empty() ? "" : " ") + format.Ending;
+    }
+  }
+  return list;
 }
 
 void AddNamedPart(Scene& scene, vtkPolyData* mesh, const std::string& name)

@@ -57,11 +57,9 @@ const std::vector<FileFormat>& GetFileFormats();
 /// Returns the format of an ending, or nullptr if it is not read.
 const FileFormat* FindFileFormat(const std::string& ending);
 
-/// Returns all endings with a separator between them.
-std::string ListEndings(const std::string& separator);
-
-/// Returns the endings of the formats of which several files make one scene.
-std::string ListPartEndings(const std::string& separator);
+/// Returns the endings of all formats, or of those of which several files make one scene, with
+/// blanks between them.
+std::string ListEndings(bool onlyParts = false);
 
 ///@{
 /// Add an actor that draws a mesh, or what an importer has made, under a name. A mesh gets a

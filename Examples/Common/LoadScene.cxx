@@ -142,7 +142,7 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   if (names.size() > 1)
   {
     throw std::runtime_error(name +
-      " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
+      " is a scene by itself; only files of these endings go together: " + ListEndings(true));
   }
   return scene;
 }

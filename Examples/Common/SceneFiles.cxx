@@ -99,7 +99,7 @@ const FileFormat& FindFormat(const std::string& name)
   {
     throw std::runtime_error("cannot tell how to read " + name + ": " +
       (ending.empty() ? "it has no ending" : "the ending " + ending + " is not known") +
-      "; known are " + ListEndings(" "));
+      "; known are " + ListEndings());
   }
   return *format;
 }
@@ -151,7 +151,7 @@ Scene ImportFiles(
     if (names.size() > 1 && !format.IsPart)
     {
       throw std::runtime_error(name +
-        " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
+        " is a scene by itself; only files of these endings go together: " + ListEndings(true));
     }
     if (&name != &names.front())
     {

@@ -78,7 +78,7 @@ std::string MakeFooter()
   return text + DescribeFormats() +
     "\nInstead of a file: city and plant, two scenes that come with the program.\n"
     "Several files make one scene if they are of: " +
-    NBufferExamples::ListPartEndings(" ");
+    NBufferExamples::ListEndings(true);
 }
 
 int Show(const Options& options, const char* program)
