@@ -6,12 +6,11 @@
  * groups of triangles that can be seen. Prints the times with and without it.
  */
 #include "Example.h"
+#include "LoadScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkFlyingEdges3D.h"
-#include "vtkImageData.h"
-#include "vtkMath.h"
+#include "vtkMapper.h"
 #include "vtkNBufferCuller.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -26,30 +25,10 @@ int main(int argc, char* argv[])
   example.AddOption("--frames", frames, "How many frames are drawn and timed", 1, 10000);
   const auto show = [&]()
   {
-    constexpr int size = 126;
-    constexpr double spacing = 2.0 / (size - 1);
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(size, size, size);
-    image->SetOrigin(-1.0, -1.0, -1.0);
-    image->SetSpacing(spacing, spacing, spacing);
-    image->AllocateScalars(VTK_FLOAT, 1);
-    auto* values = static_cast<float*>(image->GetScalarPointer());
-    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      image->GetPoint(i, p);
-      vtkMath::MultiplyScalar(p, 6.0 * vtkMath::Pi());
-      values[i] = static_cast<float>(std::sin(p[0]) * std::cos(p[1]) +
-        std::sin(p[1]) * std::cos(p[2]) + std::sin(p[2]) * std::cos(p[0]));
-    }
-    vtkNew<vtkFlyingEdges3D> contour;
-    contour->SetInputData(image);
-    contour->SetValue(0, 0.0);
-    contour->ComputeScalarsOff();
-    contour->Update();
-    std::cout << "inside-isosurface: " << contour->GetOutput()->GetNumberOfPolys()
-              << " triangles\n";
-    example.AddMesh(contour->GetOutput(), { 0.8, 0.7, 0.5 });
+    const NBufferExamples::Scene scene = NBufferExamples::LoadScene({ "isosurface" }, { argv[0] });
+    auto* mesh = vtkPolyData::SafeDownCast(scene.Actors.front()->GetMapper()->GetInput());
+    std::cout << "inside-isosurface: " << mesh->GetNumberOfPolys() << " triangles\n";
+    example.AddMesh(mesh, { 0.8, 0.7, 0.5 });
     example.AddFill(1.0);
 
     vtkRenderer* renderer = example.GetRenderer();
