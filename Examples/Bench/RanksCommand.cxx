@@ -35,12 +35,9 @@ int RunRanksCommand(RanksOptions& options)
   const NBufferExamples::Scene scene = options.View.LoadScene();
   const NBufferExamples::CameraPath path = options.View.MakePath(scene, 1);
   Session& session = Session::New(scene, options.View.Window);
-  std::set<int> owners;
-  for (int owner : FindPixelOwners(session, path.back()))
-  {
-    owners.insert(owner);
-  }
-  owners.erase(-1);
+  const std::vector<int> pixels = FindPixelOwners(session, path.back());
+  std::set<int> owners(pixels.begin(), pixels.end());
+  owners.erase(-1); // The background.
   Json::Value report;
   options.View.Describe(scene, session, report);
   report["spread"] = options.Spread;

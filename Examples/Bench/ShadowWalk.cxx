@@ -91,9 +91,9 @@ struct OracleCounts
 };
 
 /// A mode and what its frames gave.
-struct Runner
+struct ShadowRunner
 {
-  Runner(const ShadowMode& mode, std::size_t frames)
+  ShadowRunner(const ShadowMode& mode, std::size_t frames)
     : Mode(mode)
     , Milliseconds(frames)
   {
@@ -128,7 +128,7 @@ public:
 
   Json::Value Run()
   {
-    for (const Runner& runner : this->Runners)
+    for (const ShadowRunner& runner : this->Runners)
     {
       ShowProgress("uploading, " + runner.Mode.GetName());
       runner.Mode.Enter(this->Where.GetRenderer());
@@ -152,7 +152,7 @@ public:
       this->CompareWithRays();
     }
     // Resources are released now, because the window may outlive this object.
-    for (const Runner& runner : this->Runners)
+    for (const ShadowRunner& runner : this->Runners)
     {
       runner.Mode.Release(this->Where.GetRenderer());
     }
@@ -161,10 +161,10 @@ public:
   }
 
 private:
-  Runner* Find(const std::string& name)
+  ShadowRunner* Find(const std::string& name)
   {
     const auto found = std::find_if(this->Runners.begin(), this->Runners.end(),
-      [&name](const Runner& runner) { return runner.Mode.GetName() == name; });
+      [&name](const ShadowRunner& runner) { return runner.Mode.GetName() == name; });
     return found == this->Runners.end() ? nullptr : &*found;
   }
 
@@ -187,7 +187,7 @@ private:
     return this->Where.ReadPixels();
   }
 
-  void TimeBlock(Runner& runner, std::size_t begin, std::size_t end)
+  void TimeBlock(ShadowRunner& runner, std::size_t begin, std::size_t end)
   {
     runner.Mode.Enter(this->Where.GetRenderer());
     // This frame is not timed: buffers and shaders change with the mode.
@@ -206,7 +206,7 @@ private:
   void CountFragments()
   {
     Tune(this->Volumes, &vtkShadowTuning::CountFragments, true);
-    for (Runner& runner : this->Runners)
+    for (ShadowRunner& runner : this->Runners)
     {
       if (!runner.Mode.HasVolumes())
       {
@@ -227,7 +227,7 @@ private:
   /// Counts the pixels that shadows change, with and without whole volumes.
   void CountShadowed(Json::Value& report)
   {
-    const Runner* unclamped = this->Find("unclamped");
+    const ShadowRunner* unclamped = this->Find("unclamped");
     if (!unclamped)
     {
       return;
@@ -256,7 +256,7 @@ private:
   void WriteImages()
   {
     this->Volumes->SetDebugView(this->Options.DebugView);
-    for (const Runner& runner : this->Runners)
+    for (const ShadowRunner& runner : this->Runners)
     {
       if (!this->Options.ImageFolder.empty())
       {
@@ -284,7 +284,7 @@ private:
         [this](vtkProp* prop) { return prop->HasKeys(this->Options.CasterKeys); });
       const OracleLight light(this->Light);
       const OracleImage expected = oracle.Cast(light);
-      for (Runner& runner : this->Runners)
+      for (ShadowRunner& runner : this->Runners)
       {
         if (runner.Mode.GetName() != "none")
         {
@@ -336,10 +336,10 @@ private:
 
   void AddModes(Json::Value& report)
   {
-    const Runner* unclamped = this->Find("unclamped");
+    const ShadowRunner* unclamped = this->Find("unclamped");
     const auto frames = static_cast<double>(this->Path.size());
     std::size_t wrong = 0;
-    for (const Runner& runner : this->Runners)
+    for (const ShadowRunner& runner : this->Runners)
     {
       const std::string& name = runner.Mode.GetName();
       Json::Value& mode = report["modes"][name];
@@ -375,7 +375,7 @@ private:
   const CameraPath& Path;
   const ShadowWalkOptions& Options;
   vtkNew<vtkShadowVolumeClampPass> Volumes;
-  std::vector<Runner> Runners;
+  std::vector<ShadowRunner> Runners;
 };
 }
 

@@ -22,6 +22,9 @@
 namespace NBufferBench
 {
 
+/// More levels than any image has.
+constexpr int AllLevels = 64;
+
 /// Throws std::runtime_error, which says what has failed and why, if `done` is false.
 inline void Check(bool done, const char* what, const std::string& why)
 {

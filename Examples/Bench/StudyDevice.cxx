@@ -26,7 +26,6 @@ using NBufferPeers::GroupForm;
 using NBufferPeers::ReduceMethod;
 using NBufferPeers::SingleLevel;
 
-constexpr int AllLevels = 64;
 constexpr int LevelFactors[] = { 4, 8, 16 };
 
 /// A window whose frame has been drawn, while its framebuffer is bound.
@@ -313,15 +312,14 @@ Json::Value MeasureDrawing(
   Session& session, const NBufferExamples::CameraPose& pose, int repetitions)
 {
   session.SetCuller(vtkNew<vtkFrustumCoverageCuller>());
-  std::vector<double> milliseconds;
-  for (int i = 0; i <= repetitions; ++i)
-  {
-    session.SetPose(pose);
-    milliseconds.push_back(session.Render());
-  }
+  const Json::Value times = Repeat(repetitions,
+    [&](NamedTimes& result)
+    {
+      session.SetPose(pose);
+      result["draw_ms"].push_back(session.Render());
+    });
   session.SetCuller();
-  milliseconds.erase(milliseconds.begin()); // The first time does not count.
-  return Summarize(milliseconds);
+  return times["draw_ms"];
 }
 }
 

@@ -17,7 +17,9 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -91,15 +93,8 @@ private:
   std::vector<std::pair<vtkMapper*, unsigned long>> Tags;
 };
 
-struct Fragments
-{
-  long long Passed = 0; ///< With colours, as the next two.
-  long long OfHidden = 0;
-  long long Again = 0;
-  long long OfDepth = 0; ///< Of draws for their depth alone.
-  long long Shown = 0;
-  std::size_t Draws = 0;
-};
+/// Counts by their names in the report.
+using Fragments = std::map<std::string, long long>;
 
 long long CountShown(vtkRenderer* renderer)
 {
@@ -150,29 +145,34 @@ Fragments Count(
 {
   constexpr int times = 3;
   const std::unordered_set<vtkProp*> seen(visible.begin(), visible.end());
-  Fragments fragments;
-  fragments.Draws = draws.size();
-  std::vector<GLuint> least = Replay(session, draws, fragments.Shown);
+  long long shown = 0;
+  std::vector<GLuint> least = Replay(session, draws, shown);
   for (int i = 1; i < times; ++i)
   {
-    const std::vector<GLuint> samples = Replay(session, draws, fragments.Shown);
+    const std::vector<GLuint> samples = Replay(session, draws, shown);
     std::transform(samples.begin(), samples.end(), least.begin(), least.begin(),
       [](GLuint a, GLuint b) { return std::min(a, b); });
   }
+  long long passed = 0; // With colours, as the next two.
+  long long ofHidden = 0;
+  long long again = 0;
+  long long ofDepth = 0; // Of draws for their depth alone.
   std::unordered_set<vtkProp*> drawn;
   for (std::size_t i = 0; i < draws.size(); ++i)
   {
     vtkProp* prop = draws[i].Prop;
     if (!draws[i].Colors)
     {
-      fragments.OfDepth += least[i];
+      ofDepth += least[i];
       continue;
     }
-    fragments.Passed += least[i];
-    fragments.Again += drawn.insert(prop).second ? 0 : least[i];
-    fragments.OfHidden += seen.count(prop) > 0 ? 0 : least[i];
+    passed += least[i];
+    again += drawn.insert(prop).second ? 0 : least[i];
+    ofHidden += seen.count(prop) > 0 ? 0 : least[i];
   }
-  return fragments;
+  return { { "passed", passed }, { "shown", shown }, { "wasted", passed - shown },
+    { "of_hidden", ofHidden }, { "again", again }, { "of_depth", ofDepth },
+    { "draws", static_cast<long long>(draws.size()) } };
 }
 }
 
@@ -225,24 +225,15 @@ Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath
         draws = recorder.Draws;
       }
       mode.Leave(session.GetRenderer());
-      const Fragments fragments = Count(session, draws, visible[i]);
-      sum.Passed += fragments.Passed;
-      sum.OfHidden += fragments.OfHidden;
-      sum.Again += fragments.Again;
-      sum.OfDepth += fragments.OfDepth;
-      sum.Shown += fragments.Shown;
-      sum.Draws += fragments.Draws;
+      for (const auto& [kind, count] : Count(session, draws, visible[i]))
+      {
+        sum[kind] += count;
+      }
     }
-    const auto mean = [&places](double value)
-    { return Round(value / static_cast<double>(places.size())); };
-    Json::Value& entry = result[name];
-    entry["passed"] = mean(static_cast<double>(sum.Passed));
-    entry["shown"] = mean(static_cast<double>(sum.Shown));
-    entry["wasted"] = mean(static_cast<double>(sum.Passed - sum.Shown));
-    entry["of_hidden"] = mean(static_cast<double>(sum.OfHidden));
-    entry["again"] = mean(static_cast<double>(sum.Again));
-    entry["of_depth"] = mean(static_cast<double>(sum.OfDepth));
-    entry["draws"] = mean(static_cast<double>(sum.Draws));
+    for (const auto& [kind, count] : sum)
+    {
+      result[name][kind] = Round(static_cast<double>(count) / static_cast<double>(places.size()));
+    }
   }
   return result;
 }

@@ -113,7 +113,7 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
 {
   vtkNBufferLevels levels;
   levels.BuildBase(frame.Depth.data(), frame.Width, frame.Height, 4, vtkNBufferExtremum::Maximum);
-  levels.BuildLevels(64);
+  levels.BuildLevels(AllLevels);
   Json::Value entries(Json::arrayValue);
   for (int count : { 1000, 3000, 10000, 30000, 100000, 300000, 1000000 })
   {

@@ -26,7 +26,6 @@ Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int re
     entry["skipped"] = obstacle;
     return entry;
   }
-  constexpr int all = 64;
   PackedLevels packed;
   vtkNew<vtkNBufferTexture> arrays;
   vtkNew<vtkNBufferTexture> extrema;
@@ -49,8 +48,8 @@ Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int re
     [&](NamedTimes& times)
     {
       time(times["base_ms"], [&]() { build(base, 1); });
-      time(times["arrays_ms"], [&]() { build(arrays, all); });
-      time(times["both_extrema_ms"], [&]() { build(extrema, all); });
+      time(times["arrays_ms"], [&]() { build(arrays, AllLevels); });
+      time(times["both_extrema_ms"], [&]() { build(extrema, AllLevels); });
       time(times["packed_ms"],
         [&]()
         {

@@ -81,7 +81,7 @@ Json::Value MeasureTable2(const std::vector<DepthFrame>& frames)
 
     vtkNBufferLevels levels;
     levels.BuildBase(frame.Depth.data(), frame.Width, frame.Height, 1, vtkNBufferExtremum::Maximum);
-    levels.BuildLevels(64);
+    levels.BuildLevels(AllLevels);
     vtkNBufferPixelTest pixels(frame.Projection, levels, frame.Depth.data(), 0.0);
     const Tests oq = CountTests(frame, tree,
       [&](const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, double& tests)

@@ -51,38 +51,34 @@ std::vector<glm::vec3> MakeParticles(const glm::dmat4& eyeToClip, int count)
 void MeasureTimes(vtkOpenGLRenderWindow* window, ParticleCloud& cloud, const glm::dmat4& eyeToClip,
   int repetitions, Json::Value& entry)
 {
-  const char* const names[] = { "none", "maxima", "minima_first" };
-  std::vector<double> build[3];
-  std::vector<double> draw[3];
-  for (int i = 0; i <= repetitions; ++i) // The first time does not count.
-  {
-    for (int k = 0; k < 3; ++k)
+  const std::string names[] = { "none", "maxima", "minima_first" };
+  const Json::Value times = Repeat(repetitions,
+    [&](NamedTimes& result)
     {
-      const auto culling = static_cast<ParticleCulling>(k);
-      window->WaitForCompletion();
-      vtkNBufferClock clock;
-      if (culling != ParticleCulling::None)
+      for (int k = 0; k < 3; ++k)
       {
-        cloud.Build(window, culling);
+        const auto culling = static_cast<ParticleCulling>(k);
+        window->WaitForCompletion();
+        vtkNBufferClock clock;
+        if (culling != ParticleCulling::None)
+        {
+          cloud.Build(window, culling);
+        }
+        window->WaitForCompletion();
+        const double built = clock.Restart();
+        cloud.Draw(eyeToClip, culling);
+        window->WaitForCompletion();
+        const double drawn = clock.GetMilliseconds();
+        result["build " + names[k]].push_back(built);
+        result["draw " + names[k]].push_back(drawn);
       }
-      window->WaitForCompletion();
-      const double built = clock.Restart();
-      cloud.Draw(eyeToClip, culling);
-      window->WaitForCompletion();
-      const double drawn = clock.GetMilliseconds();
-      if (i > 0)
-      {
-        build[k].push_back(built);
-        draw[k].push_back(drawn);
-      }
-    }
-  }
+    });
   for (int k = 0; k < 3; ++k)
   {
-    entry["draw_ms"][names[k]] = Summarize(draw[k]);
+    entry["draw_ms"][names[k]] = times["draw " + names[k]];
     if (k > 0)
     {
-      entry["build_ms"][names[k]] = Summarize(build[k]);
+      entry["build_ms"][names[k]] = times["build " + names[k]];
     }
   }
 }

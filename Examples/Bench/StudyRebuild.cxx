@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 #include <stdexcept>
 
 namespace NBufferBench
@@ -21,12 +22,10 @@ namespace
 using NBufferExamples::CameraPath;
 using NBufferExamples::CameraPose;
 
-constexpr int AllLevels = 64;
-
 /// The depth of a frame that draws only some props.
-struct Drawn
+struct DrawnDepth
 {
-  Drawn(Session& session, const CameraPose& pose, const std::vector<vtkProp*>& props)
+  DrawnDepth(Session& session, const CameraPose& pose, const std::vector<vtkProp*>& props)
   {
     vtkNew<OracleCuller> culler;
     culler->SetProps(&props);
@@ -78,10 +77,10 @@ struct Sums
   std::vector<double> Whole;
   std::vector<double> Rebuilt;
 
-  void Add(const Drawn& first, const Drawn& second, int factor, int repetitions);
+  void Add(const DrawnDepth& first, const DrawnDepth& second, int factor, int repetitions);
 };
 
-void Sums::Add(const Drawn& first, const Drawn& second, int factor, int repetitions)
+void Sums::Add(const DrawnDepth& first, const DrawnDepth& second, int factor, int repetitions)
 {
   vtkNBufferLevels before = first.MakeBase(factor);
   before.BuildLevels(AllLevels);
@@ -130,20 +129,14 @@ Json::Value MeasureRebuild(
     const std::vector<std::vector<vtkProp*>> visible =
       FindVisibleProps(session, { path[from], pose });
     // The second round adds what is visible now to what the first has drawn.
-    std::vector<vtkProp*> both;
-    for (vtkProp* prop : session.GetProps())
-    {
-      for (const std::vector<vtkProp*>& list : visible)
-      {
-        if (std::find(list.begin(), list.end(), prop) != list.end())
-        {
-          both.push_back(prop);
-          break;
-        }
-      }
-    }
-    const Drawn first(session, pose, visible[0]);
-    const Drawn second(session, pose, both);
+    std::set<vtkProp*> either(visible[0].begin(), visible[0].end());
+    either.insert(visible[1].begin(), visible[1].end());
+    std::vector<vtkProp*> both = session.GetProps(); // In this order.
+    both.erase(std::remove_if(both.begin(), both.end(),
+                 [&either](vtkProp* prop) { return either.count(prop) == 0; }),
+      both.end());
+    const DrawnDepth first(session, pose, visible[0]);
+    const DrawnDepth second(session, pose, both);
     for (int k = 0; k < 2; ++k)
     {
       sums[k].Add(first, second, factors[k], repetitions);
