@@ -100,9 +100,7 @@ Json::Value MeasureModule(const Drawn& drawn, const char* name, int factor, int 
       Check(
         texture->Download(drawn.Window, host), "levels cannot be read back: ", texture->GetError());
     });
-  Json::Value row = MakeRow(drawn, name, factor, texture->GetNumberOfLevels(), times);
-  texture->ReleaseGraphicsResources(drawn.Window);
-  return row;
+  return MakeRow(drawn, name, factor, texture->GetNumberOfLevels(), times);
 }
 
 Json::Value MeasureHost(
@@ -172,7 +170,6 @@ public:
     this->AddPasses();
     this->AddModule("N-buffer, all levels", 1);
     this->AddModule("N-buffer, all levels on 1/4", 4);
-    this->Chain.ReleaseGraphicsResources(this->Screen.Window);
     return this->Rows;
   }
 
@@ -231,10 +228,6 @@ private:
         }
       },
       [&]() { return eyes[0].GetDeviceTime() + eyes[1].GetDeviceTime(); });
-    for (SingleLevel& eye : eyes)
-    {
-      eye.ReleaseGraphicsResources(this->Screen.Window);
-    }
   }
 
   void AddModule(const char* name, int factor)
@@ -254,10 +247,6 @@ private:
         }
       },
       [&]() { return eyes[0]->GetDeviceTime() + eyes[1]->GetDeviceTime(); });
-    for (vtkNBufferTexture* eye : eyes)
-    {
-      eye->ReleaseGraphicsResources(this->Screen.Window);
-    }
   }
 
   const Drawn& Screen;
@@ -302,7 +291,6 @@ Json::Value MeasureBuilds(const Drawn& drawn)
     rows.append(MeasureSingle(drawn, single, "passes", ReduceMethod::Passes, factor));
     rows.append(MeasureSingle(drawn, single, "compute", ReduceMethod::Compute, factor));
   }
-  single.ReleaseGraphicsResources(drawn.Window);
   result["eyes"] = EyesStudy(drawn, depth).Run();
   return result;
 }

@@ -63,10 +63,6 @@ Json::Value Measure(vtkOpenGLRenderWindow* window, int width, int height, int re
         "packed levels: ", "a query has another answer than that of the arrays");
     });
   packed.Release();
-  for (vtkNBufferTexture* texture : { arrays.Get(), extrema.Get(), base.Get() })
-  {
-    texture->ReleaseGraphicsResources(window);
-  }
   return entry;
 }
 }

@@ -90,8 +90,8 @@ int CountLookups(const ParticleCloud::Finding& finding, bool isOfBoxes, const in
   return pixels.IsEmpty() ? 0 : isOfBoxes ? vtkNBufferMath::GetCoverOfFour(pixels).Count : 1;
 }
 
-void CountTests(vtkOpenGLRenderWindow* window, ParticleCloud& cloud, const glm::dmat4& eyeToClip,
-  bool isOfBoxes, const int size[2], Json::Value& entry)
+void CountParticles(vtkOpenGLRenderWindow* window, ParticleCloud& cloud,
+  const glm::dmat4& eyeToClip, bool isOfBoxes, const int size[2], Json::Value& entry)
 {
   cloud.Build(window, ParticleCulling::Maxima);
   cloud.Build(window, ParticleCulling::MinimaFirst);
@@ -163,13 +163,12 @@ Json::Value MeasureParticles(
             entry["occluders"] = isBefore;
             entry["particles"] = count;
             cloud.Set(MakeParticles(eyeToClip, count), boxSide);
-            CountTests(window, cloud, eyeToClip, boxSide > 0.0f, source.Viewport + 2, entry);
+            CountParticles(window, cloud, eyeToClip, boxSide > 0.0f, source.Viewport + 2, entry);
             MeasureTimes(window, cloud, eyeToClip, repetitions, entry);
             result.append(entry);
           }
         }
       }
-      cloud.Release();
     });
   return result;
 }

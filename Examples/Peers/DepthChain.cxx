@@ -8,7 +8,6 @@
 #include "PeerErrors.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferMath.h"
-#include "vtkNBufferResourceCallback.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -74,14 +73,7 @@ vtkNBufferGL::Framebuffer MakeTarget(GLenum attachment, unsigned int texture, in
 DepthChain::DepthChain()
   : Pass(PeerChainFS, "the shader of a chain does not compile on this driver")
   , Groups(PeerGroupCS)
-  , ResourceCallback(std::make_unique<vtkOpenGLResourceFreeCallback<DepthChain>>(
-      this, &DepthChain::ReleaseGraphicsResources))
 {
-}
-
-DepthChain::~DepthChain()
-{
-  this->ResourceCallback->Release();
 }
 
 int DepthChain::GetNumberOfLevels() const
@@ -151,12 +143,7 @@ void DepthChain::Allocate()
 void DepthChain::SetDepth(vtkOpenGLRenderWindow* window,
   const std::vector<std::vector<float>>& layers, int width, int height)
 {
-  if (this->Window != window)
-  {
-    this->ResourceCallback->RegisterGraphicsResources(window);
-    this->Window = window;
-    window->MakeCurrent();
-  }
+  this->Window = window;
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
   const vtkNBufferGL::ScopedUpload upload(0);
@@ -252,24 +239,6 @@ std::vector<float> DepthChain::DownloadGroups(int layer)
   glReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, texels.data());
   ThrowOnErrors("Reading the level back");
   return texels;
-}
-
-void DepthChain::ReleaseGraphicsResources(vtkWindow*)
-{
-  if (!this->ResourceCallback->IsReleasing())
-  {
-    this->ResourceCallback->Release();
-    return;
-  }
-  this->ChainTargets.clear();
-  this->LevelTargets.clear();
-  this->Chain.Delete();
-  this->Level.Delete();
-  this->Pass.Delete();
-  this->Groups.Delete();
-  this->Timer.Delete();
-  this->Width = this->Height = this->Layers = 0;
-  this->Window = nullptr;
 }
 
 } // namespace NBufferPeers

@@ -25,14 +25,10 @@
 #include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGLObject.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkWindow;
-template <class T>
-class vtkOpenGLResourceFreeCallback;
 
 namespace NBufferPeers
 {
@@ -55,7 +51,7 @@ class DepthChain
 {
 public:
   DepthChain();
-  ~DepthChain();
+  ~DepthChain() { this->Groups.Delete(); }
   DepthChain(const DepthChain&) = delete;
   void operator=(const DepthChain&) = delete;
 
@@ -63,8 +59,8 @@ public:
   static std::string WhyNotGroups() { return vtkNBufferGL::ComputePrograms::WhyNot(); }
 
   /// Uploads depth images of one size, row 0 at the bottom, values in [0, 1]. The context must be
-  /// current for this call and for those below. They throw std::runtime_error on any error of
-  /// OpenGL.
+  /// current for this call, for those below, and when the object is destroyed. They throw
+  /// std::runtime_error on any error of OpenGL.
   void SetDepth(vtkOpenGLRenderWindow* window, const std::vector<std::vector<float>>& layers,
     int width, int height);
 
@@ -89,8 +85,6 @@ public:
   std::vector<float> DownloadGroups(int layer);
   ///@}
 
-  void ReleaseGraphicsResources(vtkWindow* window);
-
 private:
   void Allocate();
   unsigned int GetFramebuffer(int level, int layer) const;
@@ -106,7 +100,6 @@ private:
   vtkNBufferGL::FullScreenPass Pass;
   vtkNBufferGL::ComputePrograms Groups;
   DeviceTimer Timer;
-  std::unique_ptr<vtkOpenGLResourceFreeCallback<DepthChain>> ResourceCallback;
 };
 
 } // namespace NBufferPeers

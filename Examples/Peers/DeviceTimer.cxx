@@ -52,9 +52,4 @@ double DeviceTimer::GetMilliseconds()
   return 1e-6 * static_cast<double>(this->Timer->GetElapsedNanoseconds());
 }
 
-void DeviceTimer::Delete()
-{
-  this->Timer.reset();
-}
-
 } // namespace NBufferPeers

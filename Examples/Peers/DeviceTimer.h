@@ -30,9 +30,6 @@ public:
   /// where there are no timers.
   double GetMilliseconds();
 
-  /// Deletes the query.
-  void Delete();
-
 private:
   std::unique_ptr<vtkOpenGLRenderTimer> Timer;
 };

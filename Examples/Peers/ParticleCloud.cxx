@@ -25,7 +25,7 @@ constexpr int IndicesOfBox = 36;
 constexpr unsigned int BoxTriangles[IndicesOfBox] = { 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5,
   0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6 };
 
-/// The depth of a sprite's fragments is that of its vertex but for a few roundings of 2^-24.
+/// The depth of a sprite's fragments differs from that of its vertex by a few roundings of 2^-24.
 constexpr float Slack = 0x1p-20f;
 
 template <typename T>
@@ -226,15 +226,6 @@ std::vector<ParticleCloud::Finding> ParticleCloud::Find(
       });
   }
   return findings;
-}
-
-void ParticleCloud::Release()
-{
-  this->Maxima->ReleaseGraphicsResources(this->Window);
-  this->Extrema->ReleaseGraphicsResources(this->Window);
-  this->VertexArray.Delete();
-  this->Vertices.Delete();
-  this->Indices.Delete();
 }
 
 } // namespace NBufferPeers

@@ -58,7 +58,7 @@ public:
 
   /// Builds the levels that this kind of culling needs, of the framebuffer that is bound, which all
   /// functions below draw into. They restore the state of OpenGL, and throw std::runtime_error on
-  /// an error.
+  /// an error. The context must be current for them, and when the object is destroyed.
   void Build(vtkOpenGLRenderWindow* window, ParticleCulling culling);
 
   /// Draws all particles. Does not wait for the device.
@@ -70,9 +70,6 @@ public:
 
   /// Reads what the vertex stage finds of each particle.
   std::vector<Finding> Find(const glm::dmat4& eyeToClip, ParticleCulling culling);
-
-  /// Deletes the objects of OpenGL; the context must be current.
-  void Release();
 
 private:
   int GetCount() const { return static_cast<int>(this->Centers.size()); }

@@ -9,7 +9,6 @@
 #include "Shaders/vtkNBufferShared.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferMath.h"
-#include "vtkNBufferResourceCallback.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -25,14 +24,7 @@ constexpr int GroupSide = 16;
 SingleLevel::SingleLevel()
   : Pass(PeerBaseFS, "the shader of a pass does not compile on this driver")
   , Compute(PeerReduceCS)
-  , ResourceCallback(std::make_unique<vtkOpenGLResourceFreeCallback<SingleLevel>>(
-      this, &SingleLevel::ReleaseGraphicsResources))
 {
-}
-
-SingleLevel::~SingleLevel()
-{
-  this->ResourceCallback->Release();
 }
 
 std::string SingleLevel::WhyNot(ReduceMethod method)
@@ -43,12 +35,7 @@ std::string SingleLevel::WhyNot(ReduceMethod method)
 void SingleLevel::SetDepth(
   vtkOpenGLRenderWindow* window, const std::vector<float>& depth, int width, int height)
 {
-  if (this->Window != window)
-  {
-    this->ResourceCallback->RegisterGraphicsResources(window);
-    this->Window = window;
-    window->MakeCurrent();
-  }
+  this->Window = window;
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
   const vtkNBufferGL::ScopedUpload upload(0);
@@ -157,23 +144,6 @@ void SingleLevel::Download(std::vector<float>& level)
   const vtkNBufferGL::ScopedReadback readback(this->Targets[0].GetFramebuffer());
   glReadPixels(0, 0, this->Width, this->Height, GL_RED, GL_FLOAT, level.data());
   ThrowOnErrors("Reading the level back");
-}
-
-void SingleLevel::ReleaseGraphicsResources(vtkWindow*)
-{
-  if (!this->ResourceCallback->IsReleasing())
-  {
-    this->ResourceCallback->Release();
-    return;
-  }
-  this->Depth.Delete();
-  this->Targets[0].Delete();
-  this->Targets[1].Delete();
-  this->Pass.Delete();
-  this->Compute.Delete();
-  this->Timer.Delete();
-  this->PixelWidth = this->PixelHeight = this->Width = this->Height = 0;
-  this->Window = nullptr;
 }
 
 } // namespace NBufferPeers

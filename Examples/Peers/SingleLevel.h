@@ -24,14 +24,10 @@
 #include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGLObject.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkWindow;
-template <class T>
-class vtkOpenGLResourceFreeCallback;
 
 namespace NBufferPeers
 {
@@ -47,7 +43,7 @@ class SingleLevel
 {
 public:
   SingleLevel();
-  ~SingleLevel();
+  ~SingleLevel() { this->Compute.Delete(); }
   SingleLevel(const SingleLevel&) = delete;
   void operator=(const SingleLevel&) = delete;
 
@@ -55,7 +51,8 @@ public:
   static std::string WhyNot(ReduceMethod method);
 
   /// Uploads a depth image, row 0 at the bottom, values in [0, 1]. The context must be current for
-  /// this call and for those below. They throw std::runtime_error on any error of OpenGL.
+  /// this call, for those below, and when the object is destroyed. They throw std::runtime_error on
+  /// any error of OpenGL.
   void SetDepth(
     vtkOpenGLRenderWindow* window, const std::vector<float>& depth, int width, int height);
 
@@ -72,8 +69,6 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
 
-  void ReleaseGraphicsResources(vtkWindow* window);
-
 private:
   void DrawPass(unsigned int source, int width, int height, int factor, int target);
   void ReduceByPasses(int factor);
@@ -89,7 +84,6 @@ private:
   vtkNBufferGL::FullScreenPass Pass;
   vtkNBufferGL::ComputePrograms Compute;
   DeviceTimer Timer;
-  std::unique_ptr<vtkOpenGLResourceFreeCallback<SingleLevel>> ResourceCallback;
 };
 
 } // namespace NBufferPeers
