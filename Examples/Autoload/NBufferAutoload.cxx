@@ -279,12 +279,7 @@ private:
 class Factory : public vtkObjectFactory
 {
 public:
-  static Factory* New()
-  {
-    auto* factory = new Factory;
-    factory->InitializeObjectBase();
-    return factory;
-  }
+  static Factory* New() { VTK_STANDARD_NEW_BODY(Factory); }
   vtkTypeMacro(Factory, vtkObjectFactory);
   const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
   const char* GetDescription() override { return "vtkNBufferCuller for all renderers"; }
@@ -349,12 +344,7 @@ private:
 class Loader : public vtkObjectFactory
 {
 public:
-  static Loader* New()
-  {
-    auto* loader = new Loader;
-    loader->InitializeObjectBase();
-    return loader;
-  }
+  static Loader* New() { VTK_STANDARD_NEW_BODY(Loader); }
   vtkTypeMacro(Loader, vtkObjectFactory);
   const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
   const char* GetDescription() override { return "loads vtkNBufferCuller"; }
