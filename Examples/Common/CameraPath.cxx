@@ -192,7 +192,7 @@ CameraPath MakeCityCuts(const StreetPlan& plan, int frames, Random& random)
 {
   std::vector<PlanPoint> points = plan.GetDensePoints(0.25);
   points.erase(std::remove_if(points.begin(), points.end(),
-                 [&plan](const PlanPoint& point) { return plan.IsBuiltOver(point, 0.45); }),
+                 [&plan](const PlanPoint& point) { return plan.IsBuiltOver(point); }),
     points.end());
   if (points.empty())
   {

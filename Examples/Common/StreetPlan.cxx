@@ -44,7 +44,7 @@ StreetPlan::StreetPlan(const City& city)
       low = glm::min(low, p);
       high = glm::max(high, p);
     }
-    // Wide enough for every clearance that is asked for.
+    // A metre wider than the building: more than the clearance.
     for (double x = std::floor((low.x - 1.0) / CellSize); x * CellSize <= high.x + 1.0; ++x)
     {
       for (double y = std::floor((low.y - 1.0) / CellSize); y * CellSize <= high.y + 1.0; ++y)
@@ -120,15 +120,15 @@ bool StreetPlan::Contains(int building, const PlanPoint& point) const
   return inside;
 }
 
-bool StreetPlan::IsBuiltOver(const PlanPoint& point, double clearance) const
+bool StreetPlan::IsBuiltOver(const PlanPoint& point) const
 {
   const auto cell = this->Cells.find(this->GetCellKey(point.x, point.y));
   if (cell == this->Cells.end())
   {
     return false;
   }
-  const PlanPoint x(clearance, 0.0);
-  const PlanPoint y(0.0, clearance);
+  const PlanPoint x(Clearance, 0.0);
+  const PlanPoint y(0.0, Clearance);
   const PlanPoint around[] = { point, point - x, point + x, point - y, point + y };
   const std::vector<int>& buildings = cell->second.Buildings;
   return std::any_of(buildings.begin(), buildings.end(),
@@ -147,7 +147,7 @@ bool StreetPlan::IsEdgeFree(int from, const Edge& edge) const
   for (int i = 0; i <= count; ++i)
   {
     const double t = static_cast<double>(i) / count;
-    if (this->IsBuiltOver(a + t * (b - a), Clearance))
+    if (this->IsBuiltOver(a + t * (b - a)))
     {
       return false;
     }

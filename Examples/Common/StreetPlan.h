@@ -33,8 +33,9 @@ class StreetPlan
 public:
   explicit StreetPlan(const City& city);
 
-  /// Returns whether a building stands within about `clearance` metres of a point.
-  bool IsBuiltOver(const PlanPoint& point, double clearance) const;
+  /// Returns whether a building stands so near to a point that the near plane of an eye there could
+  /// cut it.
+  bool IsBuiltOver(const PlanPoint& point) const;
 
   /**
    * Returns the corners of streets around which most of the ground is built over, the densest ones
