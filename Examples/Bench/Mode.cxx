@@ -79,7 +79,7 @@ constexpr QueryMode QueryModes[] = { { "queries", QueryMethod::Flat, QueryTarget
   { "chc", QueryMethod::Coherent, QueryTarget::Any } };
 
 /// Returns the names of all modes, without settings.
-std::vector<std::string> GetNames()
+std::vector<std::string> GetModeNames()
 {
   std::vector<std::string> names = { "stock", "none", "nbuffer", "oracle", "in-view", "same-list",
     "early-depth", "early-depth-nbuffer" };
@@ -101,7 +101,7 @@ Mode::Mode(const std::string& name, const std::string& backend)
   : Name(name)
 {
   const std::string kind = GetModeKind(name);
-  const std::vector<std::string> names = GetNames();
+  const std::vector<std::string> names = GetModeNames();
   if (std::find(names.begin(), names.end(), kind) == names.end())
   {
     std::string message = "no mode " + name + "; there are";
@@ -133,7 +133,7 @@ Mode::Mode(const std::string& name, const std::string& backend)
     this->NBuffer->SetBackend(backend == "cpu" ? vtkNBufferCuller::CPU
         : backend == "opengl"                  ? vtkNBufferCuller::OpenGL
                                                : vtkNBufferCuller::Auto);
-    ApplySettings(name, this->NBuffer);
+    ApplySettings(name, this->NBuffer.Get());
     this->Cullers.push_back(this->NBuffer);
   }
   if (name == "oracle" || name == "in-view" || name == "same-list")

@@ -124,7 +124,32 @@ void CheckName(Object* object, const std::string& name)
 }
 
 template <typename Object>
-void Apply(const std::string& mode, Object* object)
+Json::Value GetDefaultsOf(Object* object)
+{
+  Json::Value defaults;
+  for (const std::string& name : GetNames(object))
+  {
+    defaults[name] = GetOne(object, name);
+  }
+  return defaults;
+}
+}
+
+std::string GetModeKind(const std::string& mode)
+{
+  return mode.substr(0, mode.find(':'));
+}
+
+void RemoveRepeated(std::vector<std::string>& modes)
+{
+  for (auto mode = modes.begin(); mode != modes.end();)
+  {
+    mode = std::find(modes.begin(), mode, *mode) == mode ? mode + 1 : modes.erase(mode);
+  }
+}
+
+template <typename Object>
+void ApplySettings(const std::string& mode, Object* object)
 {
   std::istringstream words(mode);
   std::string word;
@@ -152,46 +177,9 @@ void Apply(const std::string& mode, Object* object)
   }
   object->SetTuning(tuning);
 }
-
-template <typename Object>
-Json::Value GetDefaultsOf(Object* object)
-{
-  Json::Value defaults;
-  for (const std::string& name : GetNames(object))
-  {
-    defaults[name] = GetOne(object, name);
-  }
-  return defaults;
-}
-}
-
-std::string GetModeKind(const std::string& mode)
-{
-  return mode.substr(0, mode.find(':'));
-}
-
-void RemoveRepeated(std::vector<std::string>& modes)
-{
-  for (auto mode = modes.begin(); mode != modes.end();)
-  {
-    mode = std::find(modes.begin(), mode, *mode) == mode ? mode + 1 : modes.erase(mode);
-  }
-}
-
-void ApplySettings(const std::string& mode, vtkNBufferCuller* culler)
-{
-  Apply(mode, culler);
-}
-
-void ApplySettings(const std::string& mode, vtkShadowVolumeClampPass* pass)
-{
-  Apply(mode, pass);
-}
-
-void ApplySettings(const std::string& mode, ShadowMapSettings* maps)
-{
-  Apply(mode, maps);
-}
+template void ApplySettings(const std::string&, vtkNBufferCuller*);
+template void ApplySettings(const std::string&, vtkShadowVolumeClampPass*);
+template void ApplySettings(const std::string&, ShadowMapSettings*);
 
 void SetExponent(vtkShadowMapBakerPass* baker, int exponent)
 {

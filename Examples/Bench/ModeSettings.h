@@ -62,13 +62,11 @@ void RemoveRepeated(std::vector<std::string>& modes);
 /// Sets the exponential constant, where this version of VTK has a setting for it.
 void SetExponent(vtkShadowMapBakerPass* baker, int exponent);
 
-///@{
-/// Apply the settings in a mode's name. Throw std::runtime_error for a setting that is unknown, is
-/// not a whole number, or is refused.
-void ApplySettings(const std::string& mode, vtkNBufferCuller* culler);
-void ApplySettings(const std::string& mode, vtkShadowVolumeClampPass* pass);
-void ApplySettings(const std::string& mode, ShadowMapSettings* maps);
-///@}
+/// Applies the settings in a mode's name to a vtkNBufferCuller, a vtkShadowVolumeClampPass or
+/// ShadowMapSettings. Throws std::runtime_error for a setting that is unknown, is not a whole
+/// number, or is refused.
+template <typename Object>
+void ApplySettings(const std::string& mode, Object* object);
 
 /// Returns the default of every setting, in the members `culler`, `shadow` and `maps`.
 Json::Value GetDefaults();

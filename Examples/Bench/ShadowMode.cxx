@@ -118,7 +118,7 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   }
   if (this->IsVolumes)
   {
-    ApplySettings(name, vtkNew<vtkShadowVolumeClampPass>()); // Throws if they are wrong.
+    ApplySettings(name, vtkNew<vtkShadowVolumeClampPass>().Get()); // Throws if they are wrong.
     this->Pass = volumes;
     if (this->Kind == "paper")
     {

@@ -222,7 +222,7 @@ private:
     this->RunPaper(scene, session, paths.front());
   }
 
-  /// Notes visible props that were hidden and bytes that differ.
+  /// Counts and reports visible props that were hidden, and bytes that differ.
   void CountWrong(const std::string& what, const Json::Value& count)
   {
     this->Wrong += count.asInt64();
@@ -259,7 +259,7 @@ private:
     Json::Value report = ReportContest(work, results);
     for (const Json::Value& point : report["structures"])
     {
-      if (point["name"].asString() != GetKnownName()) // CheckKnown() says why.
+      if (point["name"].asString() != KnownName) // CheckKnown() says why.
       {
         this->CountWrong("hidden by " + point["name"].asString(), point["false_hidden"]);
       }

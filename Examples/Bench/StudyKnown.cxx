@@ -25,7 +25,7 @@ class KnownContender : public NBufferStudy::Contender
 public:
   KnownContender(const PotentiallyVisibleSet& known, const std::vector<DepthFrame>& frames,
     const CameraPath& path)
-    : Contender(GetKnownName())
+    : Contender(KnownName)
     , Known(known)
     , Frames(frames)
     , Path(path)
@@ -80,11 +80,6 @@ private:
   const DepthFrame& Frame;
   glm::dmat4 ClipToWorld;
 };
-}
-
-const char* GetKnownName()
-{
-  return "table of the map";
 }
 
 NBufferStudy::ContenderPointer MakeKnownContender(

@@ -33,7 +33,7 @@ std::unordered_set<int> FindHidden(const DepthFrame& frame)
   return hidden;
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> Draw(
+vtkSmartPointer<vtkUnsignedCharArray> DrawProps(
   Session& session, const NBufferExamples::CameraPose& pose, const std::vector<vtkProp*>& props)
 {
   session.SetPose(pose);
@@ -91,8 +91,8 @@ Json::Value MeasureLatent(
         drawn.push_back(props[i]);
       }
     }
-    const vtkSmartPointer<vtkUnsignedCharArray> expected = Draw(session, poses[1], props);
-    const vtkSmartPointer<vtkUnsignedCharArray> latent = Draw(session, poses[1], drawn);
+    const vtkSmartPointer<vtkUnsignedCharArray> expected = DrawProps(session, poses[1], props);
+    const vtkSmartPointer<vtkUnsignedCharArray> latent = DrawProps(session, poses[1], drawn);
     const Json::Int64 differing = MarkDifferences(latent, expected);
     wrong += differing;
     popping += differing > 0 ? 1 : 0;
