@@ -145,7 +145,7 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
     ->capture_default_str();
   command->add_flag("--ground-caster", options->GroundCasts,
     "In vtkShadowVolumeClampPass ground and streets cast, too, which is its default; without this "
-    "option they only receive shadows (the parts of a file are not told apart)");
+    "option they only receive shadows (the parts of a file are not distinguished)");
   command
     ->add_option("--lamp", options->Lamp,
       "x,y,z,cone: where the spot of city-spot hangs, in metres from the place on the street that "

@@ -232,7 +232,7 @@ vtkLight* LightScene(const std::string& name, const Scene& scene,
 
 vtkSmartPointer<vtkInformation> MarkCasters(const Scene& scene)
 {
-  // The parts of one prop (--merge) cannot be told apart either.
+  // The parts of one prop (--merge) cannot be distinguished either.
   const bool isOneProp = scene.Actors.size() == 1;
   if ((!scene.Plan && !IsMadeHere(scene.Name)) || isOneProp)
   {

@@ -182,7 +182,7 @@ std::string GetFragmentsObstacle(Session& session)
   bool shared = false;
   ForEachMapper(session,
     [&](vtkMapper* mapper, vtkProp*) { shared = !mappers.insert(mapper).second || shared; });
-  return shared ? "props share a mapper, their draws cannot be told apart" : "";
+  return shared ? "props share a mapper, their draws cannot be distinguished" : "";
 }
 
 Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,

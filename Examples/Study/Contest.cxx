@@ -10,7 +10,7 @@ namespace NBufferStudy
 {
 namespace
 {
-/// Builds and asks; the verdicts go to `hidden`.
+/// Builds the structure and tests the boxes; the verdicts go to `hidden`.
 void RunTurn(Contender& contender, const DepthFrame& frame, ContestResult& result,
   ContestCounts& counts, std::vector<char>& hidden)
 {
