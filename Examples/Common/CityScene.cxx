@@ -126,14 +126,8 @@ void AddPlan(vtkCellArray* triangles, vtkIdType first, bool up, vtkCellArray* po
   }
 }
 
-enum class Shading
-{
-  Lit,
-  Flat ///< The colour as it is: for what is level anyway.
-};
-
-vtkSmartPointer<vtkActor> MakePaintedActor(
-  vtkPolyData* data, const double color[3], Shading shading)
+/// Without light an actor has its colour as it is: for what is level anyway.
+vtkSmartPointer<vtkActor> MakePaintedActor(vtkPolyData* data, const double color[3], bool isLit)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
@@ -143,7 +137,7 @@ vtkSmartPointer<vtkActor> MakePaintedActor(
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->SetAmbient(0.56);
   actor->GetProperty()->SetDiffuse(0.54);
-  actor->GetProperty()->SetLighting(shading == Shading::Lit);
+  actor->GetProperty()->SetLighting(isLit);
   return actor;
 }
 
@@ -177,7 +171,7 @@ vtkSmartPointer<vtkActor> MakeGround(const City& city)
   plane->SetPoint2(-side, side, 0.0);
   plane->Update();
   const double color[3] = { 0.50, 0.57, 0.42 };
-  return MakePaintedActor(plane->GetOutput(), color, Shading::Flat);
+  return MakePaintedActor(plane->GetOutput(), color, false);
 }
 
 /// Streets of one width inside one tile, as lines.
@@ -258,7 +252,7 @@ void AddStreets(const City& city, bool carriageways, const double color[3], Acto
   }
   for (const auto& tile : tiles)
   {
-    actors.push_back(MakePaintedActor(MakeRibbons(tile.second), color, Shading::Flat));
+    actors.push_back(MakePaintedActor(MakeRibbons(tile.second), color, false));
   }
 }
 }
@@ -303,7 +297,7 @@ Actors MakeCityActors(const City& city)
   for (const CityBuilding& building : city.Buildings)
   {
     actors.push_back(
-      MakePaintedActor(MakeBuilding(building), GetBuildingColor(building).data(), Shading::Lit));
+      MakePaintedActor(MakeBuilding(building), GetBuildingColor(building).data(), true));
   }
   const double asphalt[3] = { 0.47, 0.48, 0.50 };
   const double gravel[3] = { 0.68, 0.64, 0.56 };
