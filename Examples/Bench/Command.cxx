@@ -109,7 +109,7 @@ void ViewOptions::Describe(
   const NBufferExamples::Scene& scene, Session& session, Json::Value& report) const
 {
   report["renderer"] = session.GetDevice();
-  report["window"] = session.GetWindowClass();
+  report["window"] = session.GetWindow()->GetClassName();
   report["vtk"] = vtkVersion::GetVTKVersion();
   report["scene"] = scene.Name;
   report["merged"] = this->Merge;

@@ -77,11 +77,8 @@ public:
   std::string GetDevice() { return NBufferExamples::GetDevice(this->Window); }
   ///@}
 
-  ///@{
-  /// Return the class of the window, and its size in pixels as in 960x720.
-  std::string GetWindowClass() { return this->Window->GetClassName(); }
+  /// Returns the size of the window in pixels as in 960x720.
   std::string GetSize();
-  ///@}
 
 private:
   Session(const NBufferExamples::Scene& scene, const SessionOptions& options);

@@ -67,7 +67,7 @@ int RunShadowCommand(ShadowCommandOptions& options)
 {
   for (const std::string& name : options.Walk.Modes)
   {
-    ShadowMode(name, 1, vtkNew<vtkShadowVolumeClampPass>());
+    ShadowMode(name, vtkNew<vtkShadowVolumeClampPass>()); // Throws if there is no such mode.
   }
   RemoveRepeated(options.Walk.Modes);
   if (!options.Walk.ImageFolder.empty())

@@ -95,10 +95,9 @@ vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution, const ShadowMapSet
 }
 }
 
-ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClampPass* volumes)
+ShadowMode::ShadowMode(const std::string& name, vtkShadowVolumeClampPass* volumes)
   : Name(name)
   , Kind(name.substr(0, name.find_first_of("@:")))
-  , Litmap(litmap)
   , IsVolumes(FindNamed(VolumeKinds, Kind) != nullptr)
 {
   const std::string sized = GetModeKind(name);
@@ -134,12 +133,6 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   }
 }
 
-bool ShadowMode::IsExact(const std::string& name)
-{
-  const VolumeKind* kind = FindNamed(VolumeKinds, name.substr(0, name.find_first_of("@:")));
-  return kind && kind->Name != std::string("paper");
-}
-
 void ShadowMode::Enter(vtkRenderer* renderer) const
 {
   if (const VolumeKind* kind = FindNamed(VolumeKinds, this->Kind))
@@ -148,8 +141,9 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     volumes->SetMode(kind->Mode);
     vtkShadowTuning tuning = volumes->GetTuning();
     tuning.SlabGap = kind->SlabGap;
-    tuning.LitmapResolution = this->Resolution > 0 ? this->Resolution : this->Litmap;
-    tuning.BoxCost = vtkShadowTuning().BoxCost;
+    const vtkShadowTuning usual;
+    tuning.LitmapResolution = this->Resolution > 0 ? this->Resolution : usual.LitmapResolution;
+    tuning.BoxCost = usual.BoxCost;
     tuning.LitmapSource = this->LitmapSource;
     volumes->SetTuning(tuning);
     ApplySettings(this->Name, volumes);

@@ -39,10 +39,9 @@ namespace NBufferBench
 class ShadowMode
 {
 public:
-  /// All modes of volumes share the pass `volumes` and set it up when they are entered, with
-  /// litmaps of `litmap` x `litmap` lexels where the name does not say otherwise. Throws
+  /// All modes of volumes share the pass `volumes` and set it up when they are entered. Throws
   /// std::runtime_error if there is no such mode.
-  ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClampPass* volumes);
+  ShadowMode(const std::string& name, vtkShadowVolumeClampPass* volumes);
 
   const std::string& GetName() const { return this->Name; }
 
@@ -55,7 +54,7 @@ public:
 
   /// Returns whether every sample that differs from a ray and is not ambiguous is an error of this
   /// module. That is so in all modes of volumes except paper.
-  static bool IsExact(const std::string& name);
+  bool IsExact() const { return this->IsVolumes && this->Kind != "paper"; }
 
   void Enter(vtkRenderer* renderer) const;
 
@@ -66,7 +65,6 @@ private:
   std::string Name;
   std::string Kind;   ///< The name without @N and settings.
   int Resolution = 0; ///< The N of the name, or 0.
-  int Litmap;
   bool IsVolumes;
   bool IsEachFrame = false;
   vtkSmartPointer<vtkRenderPass> Pass;

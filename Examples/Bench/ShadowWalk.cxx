@@ -122,7 +122,7 @@ public:
     Tune(this->Volumes, &vtkShadowTuning::MeasureDeviceTime, options.DeviceTimes);
     for (const std::string& name : options.Modes)
     {
-      this->Runners.emplace_back(ShadowMode(name, options.Litmap, this->Volumes), path.size());
+      this->Runners.emplace_back(ShadowMode(name, this->Volumes), path.size());
     }
   }
 
@@ -315,7 +315,7 @@ private:
   /// differ.
   Shadows FindShadowsInImages(const ShadowMode& mode, std::size_t frame)
   {
-    const ShadowMode none("none", 1, this->Volumes);
+    const ShadowMode none("none", this->Volumes);
     const double intensity = this->Light->GetIntensity();
     const Pixels lit = this->Draw(none, frame);
     this->Light->SetIntensity(0.0);
@@ -358,15 +358,15 @@ private:
       }
       if (this->Options.Oracle && name != "none")
       {
-        mode["must_be_exact"] = ShadowMode::IsExact(name);
+        mode["must_be_exact"] = runner.Mode.IsExact();
         mode["oracle"] = runner.Oracle.GetReport();
-        wrong += ShadowMode::IsExact(name) ? runner.Oracle.Wrong.size() : 0;
+        wrong += runner.Mode.IsExact() ? runner.Oracle.Wrong.size() : 0;
       }
     }
     AddRatios(report, { "unclamped", "none" });
     report["frames"] = static_cast<Json::UInt64>(this->Path.size());
     report["block"] = this->Options.Block;
-    report["litmap"] = this->Options.Litmap;
+    report["litmap"] = vtkShadowTuning().LitmapResolution;
     report["wrong_samples"] = static_cast<Json::UInt64>(wrong);
   }
 

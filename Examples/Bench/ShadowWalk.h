@@ -29,8 +29,6 @@ struct ShadowWalkOptions
 {
   std::vector<std::string> Modes = { "none", "unclamped", "cull", "exact", "auto", "clamp", "slabs",
     "exact@32", "exact@64", "exact@128", "exact@512", "exact@1024", "vtk" };
-  /// Lexels along each side of a litmap, for modes whose names do not contain the number.
-  int Litmap = 256;
   /// Only props with these keys cast shadows; nullptr: all props.
   vtkSmartPointer<vtkInformation> CasterKeys;
   /// Whether the first, middle and last frame are compared with rays.
