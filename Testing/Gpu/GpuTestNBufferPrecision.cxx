@@ -246,11 +246,9 @@ protected:
   }
 };
 
-class GpuTestNBufferPrecisionFormats
-  : public GpuTestNBufferPrecision
-  , public ::testing::WithParamInterface<std::tuple<std::size_t, vtkNBufferStoredDepth>>
-{
-};
+using GpuTestNBufferPrecisionFormats =
+  OffscreenFixtureWithParam<std::tuple<std::size_t, vtkNBufferStoredDepth>,
+    GpuTestNBufferPrecision>;
 
 // Hazard: a fragment is drawn nearer than the nearest depth that the projection gives for its box.
 TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
@@ -363,8 +361,7 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
 
 /// The parameter is the number of samples of a pixel; 0 without multisampling.
 class GpuTestNBufferPrecisionSamples
-  : public GpuTestNBufferPrecision
-  , public ::testing::WithParamInterface<int>
+  : public OffscreenFixtureWithParam<int, GpuTestNBufferPrecision>
 {
 protected:
   /// The nearest depth of all samples of each pixel.

@@ -103,9 +103,7 @@ Answer GetAnswer(const vtkNBufferLevels& levels, int known, const Query& query)
   return answer;
 }
 
-class GpuTestNBufferQuery
-  : public WindowFixture
-  , public ::testing::WithParamInterface<bool>
+class GpuTestNBufferQuery : public OffscreenFixtureWithParam<bool, WindowFixture>
 {
 protected:
   vtkShaderProgram* UseProgram()

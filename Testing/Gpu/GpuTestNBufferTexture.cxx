@@ -87,11 +87,7 @@ protected:
 };
 
 template <typename Parameter>
-class LevelsWithParam
-  : public LevelsFixture
-  , public ::testing::WithParamInterface<Parameter>
-{
-};
+using LevelsWithParam = OffscreenFixtureWithParam<Parameter, LevelsFixture>;
 }
 
 using GpuTestNBufferTextureSizes = LevelsWithParam<std::pair<int, int>>;

@@ -142,11 +142,7 @@ private:
 /// The factor of level 0, the distance of the eye, and the margin of boxes.
 using View = std::tuple<int, double, double>;
 
-class GpuTestNBufferUnitAnswers
-  : public UnitDeviceFixture
-  , public ::testing::WithParamInterface<View>
-{
-};
+using GpuTestNBufferUnitAnswers = OffscreenFixtureWithParam<View, UnitDeviceFixture>;
 
 // From outside, from inside of the mesh, and with a box of several projections.
 TEST_P(GpuTestNBufferUnitAnswers, AreThoseOfTheHost)
@@ -224,9 +220,7 @@ INSTANTIATE_TEST_SUITE_P(Views, GpuTestNBufferUnitAnswers,
   ::testing::Values(View(4, 3.0, 0.0), View(1, 3.0, 2.0), View(4, 0.7, 0.0), View(2, 0.6, 0.0)));
 
 /// The device, or the host, makes lists.
-class GpuTestNBufferUnitList
-  : public UnitDeviceFixture
-  , public testing::WithParamInterface<bool>
+class GpuTestNBufferUnitList : public OffscreenFixtureWithParam<bool, UnitDeviceFixture>
 {
 protected:
   using Records = vtkNBufferUnitDevice::Records;

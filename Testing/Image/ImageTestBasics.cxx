@@ -293,9 +293,7 @@ struct Setting : NamedCase
   bool TestSlivers = true;
 };
 
-class CullerSettings : public testing::TestWithParam<Setting>
-{
-};
+using CullerSettings = testing::TestWithParam<Setting>;
 
 const Setting Settings[] = {
   { "BaseFactor1", [](ComparisonOptions& o) { o.Tuning.BaseFactor = 1; } },

@@ -185,9 +185,7 @@ struct BlendedBlocks : NamedCase
   bool IsBlended = true;
 };
 
-class CullerBlendedBlocks : public testing::TestWithParam<BlendedBlocks>
-{
-};
+using CullerBlendedBlocks = testing::TestWithParam<BlendedBlocks>;
 
 /// Two blocks with scalars before the wall.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()

@@ -214,9 +214,7 @@ const LargeProps::Case BlockCases[] = {
 };
 }
 
-class CullerBlocks : public testing::TestWithParam<LargeProps::Case>
-{
-};
+using CullerBlocks = testing::TestWithParam<LargeProps::Case>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerBlocks, testing::ValuesIn(BlockCases), GetCaseName);
 
 // Hazard: the boxes of units are too small, blocks are drawn in another order than VTK's, or the
@@ -391,9 +389,7 @@ const std::vector<LargeProps::Change> BlockChanges = LargeProps::AndCommonChange
 });
 }
 
-class CullerBlocksChanges : public testing::TestWithParam<LargeProps::Change>
-{
-};
+using CullerBlocksChanges = testing::TestWithParam<LargeProps::Change>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerBlocksChanges, testing::ValuesIn(BlockChanges), GetCaseName);
 
 // Hazard: blocks have changed, and their former boxes are tested.

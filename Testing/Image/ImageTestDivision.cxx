@@ -289,9 +289,7 @@ const LargeProps::Case DivisionCases[] = {
 };
 }
 
-class CullerDivision : public testing::TestWithParam<LargeProps::Case>
-{
-};
+using CullerDivision = testing::TestWithParam<LargeProps::Case>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivision, testing::ValuesIn(DivisionCases), GetCaseName);
 
 // Hazard: the boxes of units are too small, units are drawn in another order than the triangles of
@@ -319,9 +317,7 @@ TEST_P(CullerDivision, SameImage)
     });
 }
 
-class CullerDivisionTies : public testing::TestWithParam<bool>
-{
-};
+using CullerDivisionTies = testing::TestWithParam<bool>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionTies, testing::Bool(),
   [](const auto& info) { return std::string(info.param ? "OfCells" : "OfPoints"); });
 
@@ -464,9 +460,7 @@ const std::vector<LargeProps::Change> DivisionChanges = LargeProps::AndCommonCha
 });
 }
 
-class CullerDivisionChanges : public testing::TestWithParam<LargeProps::Change>
-{
-};
+using CullerDivisionChanges = testing::TestWithParam<LargeProps::Change>;
 INSTANTIATE_TEST_SUITE_P(
   Each, CullerDivisionChanges, testing::ValuesIn(DivisionChanges), GetCaseName);
 
@@ -485,9 +479,7 @@ TEST_P(CullerDivisionChanges, SameImage)
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
 
-class CullerDivisionSharing : public testing::TestWithParam<int>
-{
-};
+using CullerDivisionSharing = testing::TestWithParam<int>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionSharing, testing::Values(0, 1),
   [](const auto& info) { return std::string(info.param ? "Second" : "First"); });
 
@@ -522,9 +514,7 @@ TEST_P(CullerDivisionSharing, SameImage)
   EXPECT_EQ(comparison.GetStatistics().Units, 0);
 }
 
-class CullerDivisionPicking : public testing::TestWithParam<bool>
-{
-};
+using CullerDivisionPicking = testing::TestWithParam<bool>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionPicking, testing::Bool(),
   [](const auto& info) { return std::string(info.param ? "CellColors" : "PointColors"); });
 

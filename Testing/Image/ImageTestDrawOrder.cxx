@@ -448,9 +448,7 @@ vtkSmartPointer<vtkProp> MakeGridAxes(vtkRenderer* renderer)
   return axes->Labels ? axes : nullptr;
 }
 
-class CullerDrawOrder : public testing::TestWithParam<Ordered>
-{
-};
+using CullerDrawOrder = testing::TestWithParam<Ordered>;
 }
 
 // Hazard: a prop that is drawn late, before a prop in the list that blends in the opaque stage or

@@ -304,9 +304,7 @@ const LargeProps::Case GlyphCases[] = {
 };
 }
 
-class CullerGlyphs : public testing::TestWithParam<LargeProps::Case>
-{
-};
+using CullerGlyphs = testing::TestWithParam<LargeProps::Case>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphs, testing::ValuesIn(GlyphCases), GetCaseName);
 
 // Hazard: the boxes of instances are too small, instances are drawn in another order, fresh
@@ -429,9 +427,7 @@ const std::vector<LargeProps::Change> GlyphChanges = LargeProps::AndCommonChange
 });
 }
 
-class CullerGlyphsChanges : public testing::TestWithParam<LargeProps::Change>
-{
-};
+using CullerGlyphsChanges = testing::TestWithParam<LargeProps::Change>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphsChanges, testing::ValuesIn(GlyphChanges), GetCaseName);
 
 // Hazard: the data, or the way in which they are drawn, have changed, and the former instances are

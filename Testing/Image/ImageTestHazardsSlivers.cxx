@@ -99,9 +99,7 @@ vtkNBufferGL::SamplePlaces GetSamplePlaces(Stage& stage)
 }
 }
 
-class CullerSlivers : public testing::TestWithParam<Pipe>
-{
-};
+using CullerSlivers = testing::TestWithParam<Pipe>;
 
 // Hazard: a rasteriser draws a pixel of a sliver in front of the wall that hides the prop, and the
 // culler leaves that prop out, so that the pixel is missing.

@@ -92,9 +92,7 @@ struct Table : NamedCase
   std::function<vtkSmartPointer<vtkMapper>(vtkLookupTable*)> MakeMapper;
 };
 
-class CullerTables : public testing::TestWithParam<Table>
-{
-};
+using CullerTables = testing::TestWithParam<Table>;
 }
 
 // Hazard: a mapper sets the range of its table, or takes over that of an array, when it is drawn. A
@@ -261,9 +259,7 @@ struct Change : NamedCase
   std::function<void(Stage&)> Apply;
 };
 
-class CullerHiddenProps : public testing::TestWithParam<Change>
-{
-};
+using CullerHiddenProps = testing::TestWithParam<Change>;
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerTables, testing::ValuesIn(Tables), GetCaseName);

@@ -47,9 +47,7 @@ struct Moment : NamedCase
   unsigned long Event;
 };
 
-class CullerLifetime : public testing::TestWithParam<Moment>
-{
-};
+using CullerLifetime = testing::TestWithParam<Moment>;
 }
 
 // Hazard: an observer removes and deletes a prop during the frame, while the list of the frame has

@@ -43,9 +43,7 @@ struct Occluder : NamedCase
   bool KeepMessages = false;
 };
 
-class CullerOccluders : public testing::TestWithParam<Occluder>
-{
-};
+using CullerOccluders = testing::TestWithParam<Occluder>;
 
 /// A wall like that of the wall scene, or a box too small to hide anything.
 vtkSmartPointer<vtkPolyData> MakeWallData(bool small = false)

@@ -160,9 +160,7 @@ public:
 };
 vtkStandardNewMacro(UsersPassWithTraits);
 
-class CullerPasses : public testing::TestWithParam<PassWay>
-{
-};
+using CullerPasses = testing::TestWithParam<PassWay>;
 }
 
 // Hazard: passes set keys on props, insert shader code, read what props contain, and draw into

@@ -16,9 +16,7 @@
 
 #include <string>
 
-class CullerRanks : public testing::TestWithParam<std::tuple<int, Spread>>
-{
-};
+using CullerRanks = testing::TestWithParam<std::tuple<int, Spread>>;
 
 TEST_P(CullerRanks, TheCompositedImageIsThatOfVTKAlone)
 {
@@ -237,9 +235,7 @@ const Absence Absences[] = {
 };
 }
 
-class CullerRanksAbsence : public testing::TestWithParam<Absence>
-{
-};
+using CullerRanksAbsence = testing::TestWithParam<Absence>;
 
 // Hazard: a rank that did not test while a wall of another rank was taken away uses the verdicts of
 // the last frame that it tested.

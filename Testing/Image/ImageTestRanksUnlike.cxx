@@ -24,9 +24,7 @@ struct Straggler
   std::function<void(RankStages&, int frame)> Before;
 };
 
-class CullerRanksStraggler : public testing::TestWithParam<Straggler>
-{
-};
+using CullerRanksStraggler = testing::TestWithParam<Straggler>;
 
 TEST_P(CullerRanksStraggler, JoinsEveryExchange)
 {

@@ -125,9 +125,7 @@ void BuildPair(Stage& stage, const MapperKind& kind, const std::function<void(vt
   Scenes::SetWallCamera(stage.GetRenderer());
 }
 
-class CullerSharedMappers : public testing::TestWithParam<std::tuple<SharedWay, MapperKind>>
-{
-};
+using CullerSharedMappers = testing::TestWithParam<std::tuple<SharedWay, MapperKind>>;
 }
 
 // Hazard: the culler draws actors in another order than the renderer. Where actors with one mapper
@@ -306,9 +304,7 @@ struct HiddenSharer : NamedCase
   double X; ///< 0 behind the wall.
 };
 
-class CullerHiddenSharers : public testing::TestWithParam<std::tuple<HiddenSharer, MapperKind>>
-{
-};
+using CullerHiddenSharers = testing::TestWithParam<std::tuple<HiddenSharer, MapperKind>>;
 
 // Hazard: VTK makes the shader property of an actor at its first draw, and a new one makes the
 // mapper rebuild its shaders. If a hidden actor is drawn for the first time because it has just got

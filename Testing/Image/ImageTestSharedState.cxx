@@ -141,9 +141,7 @@ struct Sharing : NamedCase
   bool Matters = true; ///< False if all of a renderer use the object in the same way.
 };
 
-class CullerSharedState : public testing::TestWithParam<Sharing>
-{
-};
+using CullerSharedState = testing::TestWithParam<Sharing>;
 
 void ExpectOrderIsKept(Comparison& comparison, bool isKept)
 {

@@ -156,9 +156,7 @@ const LargeProps::Case SplatCases[] = {
 };
 }
 
-class CullerSplats : public testing::TestWithParam<LargeProps::Case>
-{
-};
+using CullerSplats = testing::TestWithParam<LargeProps::Case>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerSplats, testing::ValuesIn(SplatCases), GetCaseName);
 
 // Hazard: points reach out of the boxes of their units, or are drawn in another order.
@@ -275,9 +273,7 @@ const SplatChange SplatChanges[] = {
 };
 }
 
-class CullerSplatsChanges : public testing::TestWithParam<SplatChange>
-{
-};
+using CullerSplatsChanges = testing::TestWithParam<SplatChange>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerSplatsChanges, testing::ValuesIn(SplatChanges), GetCaseName);
 
 // Hazard: the data, or the way in which they are drawn, have changed, and the former points are

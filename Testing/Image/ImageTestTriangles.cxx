@@ -83,9 +83,7 @@ const TriangleChange TriangleChanges[] = {
 };
 }
 
-class CullerTriangles : public testing::TestWithParam<TriangleChange>
-{
-};
+using CullerTriangles = testing::TestWithParam<TriangleChange>;
 
 // Hazard: triangles are not tested, or the triangles of former data are tested.
 TEST_P(CullerTriangles, BehindTheEdgeOfAWall)

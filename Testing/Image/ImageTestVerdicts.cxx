@@ -153,9 +153,7 @@ const VerdictKind KindsOfParts[] = { { "Instances", 1, 12, SetGlyphs, 0, Copies 
   { "Points", 1, 4, nullptr } };
 }
 
-class CullerVerdicts : public testing::TestWithParam<VerdictKind>
-{
-};
+using CullerVerdicts = testing::TestWithParam<VerdictKind>;
 INSTANTIATE_TEST_SUITE_P(Each, CullerVerdicts, testing::ValuesIn(KindsOfParts), GetCaseName);
 
 TEST_P(CullerVerdicts, EachPartHasItsOwn)

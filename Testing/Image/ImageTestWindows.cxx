@@ -28,9 +28,7 @@ ComparisonOptions Size(int width, int height)
 //------------------------------------------------------------------------------------------------
 namespace
 {
-class CullerWindowSizes : public testing::TestWithParam<std::pair<int, int>>
-{
-};
+using CullerWindowSizes = testing::TestWithParam<std::pair<int, int>>;
 }
 
 // Hazard: windows are odd, narrow, wide or tiny, so that level 0 has cut texels or only one texel.
@@ -309,9 +307,7 @@ struct Stereo : NamedCase
 {
   int Type;
 };
-class CullerStereo : public testing::TestWithParam<Stereo>
-{
-};
+using CullerStereo = testing::TestWithParam<Stereo>;
 }
 
 // Hazard: both eyes share camera object and renderer; what one sees the other need not.
@@ -393,9 +389,7 @@ struct Projection : NamedCase
   std::function<void(vtkCamera*)> Set;
   bool WallHidesAll;
 };
-class CullerProjections : public testing::TestWithParam<Projection>
-{
-};
+using CullerProjections = testing::TestWithParam<Projection>;
 }
 
 // Hazard: the projection matrix is an unusual one. Every setting of the camera that enters it is

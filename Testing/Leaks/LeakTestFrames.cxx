@@ -189,9 +189,7 @@ constexpr long long HeapTolerance = 64 * 1024;
 /// it in some runs and in others not: 4 kB or 22 kB in a quarter of the cycles.
 constexpr long long LostOnX = 2000;
 
-class LeaksOverManyFrames : public OffscreenFixture
-{
-};
+using LeaksOverManyFrames = OffscreenFixture;
 
 /// What each cycle ended with, once the first ones have allocated what lasts.
 std::vector<Sample> RunCycles(Traffic& traffic, int cycles)

@@ -95,15 +95,9 @@ private:
   int Frame = 0;
 };
 
-class Leaks : public OffscreenFixture
-{
-};
+using Leaks = OffscreenFixture;
 
-class LeaksByOrder
-  : public OffscreenFixture
-  , public testing::WithParamInterface<std::tuple<Order, int>>
-{
-};
+using LeaksByOrder = OffscreenFixtureWithParam<std::tuple<Order, int>>;
 
 const Order Orders[] = { { Part::Window, Part::Renderer, Part::Culler },
   { Part::Window, Part::Culler, Part::Renderer }, { Part::Renderer, Part::Window, Part::Culler },

@@ -23,9 +23,7 @@ using NBufferPeers::DepthView;
 constexpr DepthPlanes Planes = { 0.5, 20000.0 };
 constexpr int Size = 64;
 
-class StudyDepth
-  : public WindowFixture
-  , public testing::WithParamInterface<DepthFormat>
+class StudyDepth : public OffscreenFixtureWithParam<DepthFormat, WindowFixture>
 {
 protected:
   void SetUp() override

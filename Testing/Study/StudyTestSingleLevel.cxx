@@ -21,9 +21,7 @@ using StudyTest::Image;
 constexpr std::pair<int, int> LevelSizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 16, 16 },
   { 17, 33 }, { 61, 45 }, { 64, 64 }, { 301, 173 }, { 511, 129 } };
 
-class StudySingleLevel
-  : public WindowFixture
-  , public testing::WithParamInterface<ReduceMethod>
+class StudySingleLevel : public OffscreenFixtureWithParam<ReduceMethod, WindowFixture>
 {
 protected:
   void SetUp() override

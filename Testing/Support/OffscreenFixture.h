@@ -54,9 +54,9 @@ protected:
 };
 
 /// The fixture for tests with parameters (TEST_P).
-template <typename Parameter>
+template <typename Parameter, typename Fixture = OffscreenFixture>
 class OffscreenFixtureWithParam
-  : public OffscreenFixture
+  : public Fixture
   , public ::testing::WithParamInterface<Parameter>
 {
 };

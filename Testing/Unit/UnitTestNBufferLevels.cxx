@@ -191,10 +191,7 @@ TEST(NBufferLevels, EveryRectangleOfSmallImages)
 
 // Hazard: steps between powers of two and rows shared out to threads; every texel of every level,
 // and many rectangles of all shapes.
-class NBufferLevelsOfLargeImages
-  : public testing::TestWithParam<std::tuple<int, int, std::vector<int>>>
-{
-};
+using NBufferLevelsOfLargeImages = testing::TestWithParam<std::tuple<int, int, std::vector<int>>>;
 
 TEST_P(NBufferLevelsOfLargeImages, EveryTexelAndRandomRectangles)
 {
