@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 
 namespace
@@ -46,11 +45,6 @@ testing::AssertionResult DidNoWork(const vtkNBufferStatistics& statistics)
   return testing::AssertionSuccess();
 }
 
-const char* GetControl()
-{
-  return std::getenv("VTKNBUFFER_TEST_CONTROL");
-}
-
 void PrintStatistics(const Stage& culled, const std::string& frame)
 {
   if (std::getenv("VTKNBUFFER_TEST_VERBOSE") && culled.Culler)
@@ -78,12 +72,6 @@ Comparison::Comparison(const Change& build, const ComparisonOptions& options)
   : Options(options)
 {
   TakeMessages();
-  if (const char* control = GetControl())
-  {
-    this->Options.StockReference =
-      options.StockReference || (options.KeepDefaultCuller && std::strcmp(control, "stock") == 0);
-    this->Options.Control = true;
-  }
   for (Stage* stage : { &this->Reference, &this->Culled })
   {
     *stage = Stage(options.Width, options.Height, options.MultiSamples);
@@ -123,10 +111,7 @@ void Comparison::AddCuller()
     {
       renderer->GetCullers()->RemoveAllItems();
     }
-    if (!this->Options.Control)
-    {
-      renderer->AddCuller(this->Culled.Culler);
-    }
+    renderer->AddCuller(this->Culled.Culler);
   }
 }
 

@@ -95,8 +95,6 @@ struct ComparisonOptions
   bool MayBeOfOneColor = false;
   /// Whether the messages of VTK are added to Comparison::Messages instead of failing the test.
   bool KeepMessages = false;
-  /// Whether the culler is not added at all; see GetControl().
-  bool Control = false;
 };
 
 class Comparison
@@ -158,10 +156,6 @@ void PrintTo(vtkNBufferDecision decision, std::ostream* os);
 
 /// @name Environment variables that help to find the cause of a failure
 ///@{
-/// Returns VTKNBUFFER_TEST_CONTROL, or nullptr if it is not set. If it is set, neither stage has
-/// the culler, so that a difference is a fault of the test (a control experiment). With the value
-/// "stock", both stages have VTK's default culler; with another one, the reference has no culler.
-const char* GetControl();
 /// Prints the statistics of a frame if VTKNBUFFER_TEST_VERBOSE is set.
 void PrintStatistics(const Stage& culled, const std::string& frame);
 /// Writes the pictures of a frame that differs to the folder that VTKNBUFFER_TEST_OUTPUT names.

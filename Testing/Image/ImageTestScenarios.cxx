@@ -8,13 +8,11 @@
 #include "TestedBackend.h"
 
 #include <algorithm>
-#include <cstring>
 #include <set>
 
 using TestScene::Expectation;
 using TestScene::NamedScenario;
 using TestScene::Player;
-using TestScene::Role;
 
 namespace
 {
@@ -102,10 +100,6 @@ void CheckFrame(const NamedScenario& hazard, const Player& reference, const Play
   {
     WritePictures(reference, tested, name);
   }
-  if (GetControl())
-  {
-    return;
-  }
   ASSERT_NE(tested.GetCuller(), nullptr);
   EXPECT_EQ(TestScene::FindWrongDraws(reference, tested, TestScene::MustBeDrawn::Tested, true), "");
   for (const Expectation& expectation : hazard.Expectations)
@@ -143,9 +137,7 @@ public:
         continue;
       }
       SCOPED_TRACE("variant " + std::to_string(variants++));
-      const char* control = GetControl();
-      TestScene::Checker checker(control ? Role::Stock : Role::Culled,
-        control && std::strcmp(control, "stock") == 0 ? Role::Stock : Role::Reference);
+      TestScene::Checker checker;
       std::set<int> hidden;
       checker.AfterFrame =
         [&](const Player& reference, const Player& tested, int frame, const std::string& failure)
