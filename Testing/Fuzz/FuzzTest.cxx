@@ -130,19 +130,6 @@ TEST(FuzzScenario, SaysWhereAFileIsWrong)
   EXPECT_THROW(ReadJson("no/such/file.json"), std::runtime_error);
 }
 
-TEST(FuzzScenario, OldFilesAreRead)
-{
-  const Scenario scenario = FromJson(Parse(R"({"shadows": {"scissor": false,
-    "skip_unlit_receivers": true}, "culler": {"maximum_number_of_pieces": 3},
-    "changes": [{"kind": "SkipUnlitReceivers", "values": [1.0]},
-    {"kind": "Select"}]})"));
-  EXPECT_EQ(scenario.Shadows.Mode, ShadowMode::Culled);
-  ASSERT_EQ(scenario.Changes.size(), 1u);
-  EXPECT_EQ(scenario.Changes[0].Kind, ChangeKind::Select);
-  EXPECT_EQ(
-    FromJson(Parse(R"({"shadows": {"mode": "Exact"}})")).Shadows.Mode, ShadowMode::Scissored);
-}
-
 // Every named scenario is a plain one: it survives its file, too.
 TEST(FuzzScenario, NamedScenariosSurviveTheirFiles)
 {

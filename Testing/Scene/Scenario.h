@@ -61,7 +61,7 @@ enum class ShadowMode
   Automatic,
   Culled ///< Last, since recorded changes hold the numbers of the others.
 };
-NBUFFER_SCENE_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped", "Automatic", "Culled");
+NBUFFER_SCENE_NAMES(ShadowMode, "Unclamped", "Scissored", "Clamped", "Automatic", "Culled");
 
 /// Properties of vtkShadowVolumeClampPass of the same names, and how it is used.
 struct Shadows

@@ -253,52 +253,11 @@ Json::Value ToJson(const Scenario& scenario)
   return Encode(scenario);
 }
 
-namespace
-{
-/// Files are older than some names. What a setting did that is no more is left out, or said in
-/// another way.
-Json::Value ReplaceRetired(const Json::Value& value)
-{
-  Json::Value result = value;
-  if (!result.isObject())
-  {
-    return result;
-  }
-  if (result.isMember("shadows") && result["shadows"].isObject())
-  {
-    Json::Value& shadows = result["shadows"];
-    if (shadows.get("scissor", true) == false && shadows.get("mode", "Exact") == "Exact")
-    {
-      shadows["mode"] = "Culled";
-    }
-    shadows.removeMember("scissor");
-    shadows.removeMember("skip_unlit_receivers");
-  }
-  if (result.isMember("culler") && result["culler"].isObject())
-  {
-    result["culler"].removeMember("maximum_number_of_pieces");
-  }
-  if (result.isMember("changes") && result["changes"].isArray())
-  {
-    Json::Value changes(Json::arrayValue);
-    for (const Json::Value& change : result["changes"])
-    {
-      if (!change.isObject() || change.get("kind", "") != "SkipUnlitReceivers")
-      {
-        changes.append(change);
-      }
-    }
-    result["changes"] = changes;
-  }
-  return result;
-}
-}
-
 Scenario FromJson(const Json::Value& value)
 {
   Scenario scenario;
   Decoder decoder("scenario");
-  decoder(ReplaceRetired(value), scenario);
+  decoder(value, scenario);
   return scenario;
 }
 
