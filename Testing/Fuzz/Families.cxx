@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Families.h"
 
+#include "NamedScenarios.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -490,6 +492,28 @@ void NestAssemblies(Writer& writer)
       props[i].PartOf = whole.Id;
     }
   }
+}
+
+void BuildNamed(Writer& writer, bool shadows)
+{
+  static const std::vector<NamedScenario> ofCulling = GetCullingHazards();
+  static const std::vector<NamedScenario> ofShadows = []
+  {
+    std::vector<NamedScenario> result = GetLightScenarios();
+    for (const auto& more : { GetViewScenarios(), GetMeshScenarios() })
+    {
+      result.insert(result.end(), more.begin(), more.end());
+    }
+    return result;
+  }();
+  const std::vector<NamedScenario>& all = shadows ? ofShadows : ofCulling;
+  const NamedScenario& named = all[writer.Random.Index(all.size())];
+  writer.Scene.Family = "named " + named.Name;
+  writer.Scene.Props = named.Scenario.Props;
+  writer.Scene.Views = named.Scenario.Views;
+  writer.Scene.Changes = named.Scenario.Changes;
+  writer.Scene.Lights = named.Scenario.Lights;
+  writer.Occluders = { named.Scenario.Props.front().Id };
 }
 
 const std::vector<NamedFamily>& GetFamilies()

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Families.h
- * @brief The families of random scenes, each built around one hazard, with their cameras.
+ * @brief The parts of random scenarios: the families of scenes, each built around one hazard, with
+ * their cameras; windows, cullers and renderers; lights and shadow passes.
  */
 #ifndef Families_h
 #define Families_h
@@ -23,6 +24,8 @@ struct NamedFamily
 };
 
 const std::vector<NamedFamily>& GetFamilies();
+/// Returns the families around hazards of shadow volumes.
+const std::vector<NamedFamily>& GetShadowFamilies();
 
 /// Gives some props the mapper of an earlier prop in the same renderer.
 void ShareMappers(Writer& writer);
@@ -37,6 +40,14 @@ void NestAssemblies(Writer& writer);
 /// Copies the props, views, lights and changes of a random named scenario (NamedScenarios.h): of a
 /// hazard of shadows if `shadows` is true, else of culling.
 void BuildNamed(Writer& writer, bool shadows);
+
+void MakeWindow(Writer& writer);
+void MakeCuller(Writer& writer);
+/// Makes one renderer, or sometimes two, of scenes whose props and views are complete.
+void MakeRenderers(Writer& writer);
+
+/// Adds lights, shadow passes and their changes to a scene that has everything else.
+void AddShadows(Writer& writer);
 }
 
 #endif

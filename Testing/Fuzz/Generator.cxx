@@ -3,8 +3,6 @@
 #include "Generator.h"
 
 #include "Families.h"
-#include "GeneratorWindow.h"
-#include "ShadowFamilies.h"
 #include "Undefined.h"
 
 #include "vtkNBufferCuller.h"

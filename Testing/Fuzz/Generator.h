@@ -4,7 +4,7 @@
  * @file Generator.h
  * @brief Makes random scenarios from seeds.
  *
- * A family (Families.h, ShadowFamilies.h) builds a scene around one hazard. Window, passes, culler,
+ * A family (Families.h) builds a scene around one hazard. Window, passes, culler,
  * materials and changes are random in addition, so that hazards meet each other. One in ten
  * scenarios begins with a named scenario (NamedScenarios.h) instead of a family.
  */

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GeneratorWindow.h"
+#include "Families.h"
 
 #include "vtkRenderWindow.h"
 
