@@ -76,12 +76,6 @@ public:
   explicit TriangleProgram(vtkNBufferStoredDepth stored = vtkNBufferStoredDepth::Ordinary)
     : IsReversed(stored == vtkNBufferStoredDepth::Reversed)
   {
-    this->Attach(GL_VERTEX_SHADER, GpuTestNBufferPrecisionVS);
-    this->Attach(GL_FRAGMENT_SHADER, GpuTestNBufferPrecisionFS);
-    glLinkProgram(this->Name);
-    GLint linked = 0;
-    glGetProgramiv(this->Name, GL_LINK_STATUS, &linked);
-    EXPECT_TRUE(linked);
     glUseProgram(this->Name);
     glGenVertexArrays(1, &this->Array);
     glBindVertexArray(this->Array);
@@ -155,17 +149,8 @@ public:
   }
 
 private:
-  void Attach(GLenum type, const char* source)
-  {
-    const GLuint shader = glCreateShader(type);
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    glAttachShader(this->Name, shader);
-    glDeleteShader(shader);
-  }
-
   bool IsReversed;
-  GLuint Name = glCreateProgram();
+  GLuint Name = LinkProgram(GpuTestNBufferPrecisionVS, GpuTestNBufferPrecisionFS);
   GLuint Array = 0;
   GLuint Buffer = 0;
   glm::mat4 Matrix;

@@ -53,14 +53,8 @@ class Program
 {
 public:
   explicit Program(const char* fragmentSource)
-    : Name(glCreateProgram())
+    : Name(LinkProgram(VertexSource, fragmentSource))
   {
-    this->Attach(GL_VERTEX_SHADER, VertexSource);
-    this->Attach(GL_FRAGMENT_SHADER, fragmentSource);
-    glLinkProgram(this->Name);
-    GLint linked = 0;
-    glGetProgramiv(this->Name, GL_LINK_STATUS, &linked);
-    EXPECT_TRUE(linked);
     glGetIntegerv(GL_CURRENT_PROGRAM, &this->Previous);
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->PreviousArray);
     glUseProgram(this->Name);
@@ -81,20 +75,6 @@ public:
   void Draw() const { glDrawArrays(GL_TRIANGLES, 0, 3); }
 
 private:
-  void Attach(GLenum type, const char* source)
-  {
-    const GLuint shader = glCreateShader(type);
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    GLint compiled = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    char log[1024] = {};
-    glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
-    EXPECT_TRUE(compiled) << log;
-    glAttachShader(this->Name, shader);
-    glDeleteShader(shader);
-  }
-
   GLuint Name;
   GLuint Array = 0;
   GLint Previous = 0;
@@ -133,6 +113,31 @@ void AllocateTexture(GLenum format, int width, int height)
   // What shadow mapping would leave behind: sampled as it is, it returns comparisons.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
 }
+}
+
+unsigned int LinkProgram(const char* vertexSource, const char* fragmentSource)
+{
+  const GLuint program = glCreateProgram();
+  const auto attach = [program](GLenum type, const char* source)
+  {
+    const GLuint shader = glCreateShader(type);
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    GLint compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    char log[1024] = {};
+    glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
+    EXPECT_TRUE(compiled) << log;
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+  };
+  attach(GL_VERTEX_SHADER, vertexSource);
+  attach(GL_FRAGMENT_SHADER, fragmentSource);
+  glLinkProgram(program);
+  GLint linked = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  EXPECT_TRUE(linked);
+  return program;
 }
 
 const std::vector<TargetFormat>& GetTargetFormats()

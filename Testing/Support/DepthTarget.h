@@ -19,6 +19,9 @@ struct TargetFormat
 /// with stencil.
 const std::vector<TargetFormat>& GetTargetFormats();
 
+/// Makes a program of two shaders, and expects that they compile and fit together.
+unsigned int LinkProgram(const char* vertexSource, const char* fragmentSource);
+
 /// An OpenGL context must be current for all functions, the destructor included.
 class DepthTarget
 {
