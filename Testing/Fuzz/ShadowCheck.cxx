@@ -436,9 +436,9 @@ std::string CheckShadowStatistics(const Player& stage)
   for (vtkShadowVolumeClampPass* pass : GetPasses(stage))
   {
     const vtkShadowStatistics& statistics = pass->GetStatistics();
+    failure += FindInconsistency(statistics);
     const bool failed = statistics.Decision == vtkShadowDecision::Failed;
-    const std::string fault = FindInconsistency(statistics) + (failed ? "The pass failed\n" : "");
-    failure += fault.empty() ? "" : fault + statistics.GetAsJSON() + "\n";
+    failure += failed ? "The pass failed: " + statistics.GetAsJSON() + "\n" : "";
   }
   return failure;
 }

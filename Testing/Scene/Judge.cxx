@@ -188,9 +188,8 @@ std::string FindInconsistency(const Stage& stage)
     if (vtkNBufferCuller* culler = stage.GetCuller(i))
     {
       const vtkNBufferStatistics& statistics = culler->GetStatistics(stage.GetRenderer(i));
-      const std::string fault = ::FindInconsistency(statistics,
-        culler->GetTuning().MaximumNumberOfRounds, MayReadPixels(culler, stage.GetRenderer(i)));
-      faults += fault.empty() ? "" : fault + "\n" + statistics.GetAsJSON() + "\n";
+      faults += ::FindInconsistency(statistics, culler->GetTuning().MaximumNumberOfRounds,
+        MayReadPixels(culler, stage.GetRenderer(i)));
     }
   }
   return faults;

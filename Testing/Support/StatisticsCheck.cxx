@@ -5,17 +5,36 @@
 #include <algorithm>
 #include <numeric>
 
+namespace
+{
+/// Collects the conditions that do not hold.
+class Demand
+{
+public:
+  void operator()(bool holds, const char* condition)
+  {
+    if (!holds)
+    {
+      this->Faults += std::string("Not so: ") + condition + "\n";
+    }
+  }
+
+  /// Returns them with the statistics, or "" if there are none.
+  template <typename Statistics>
+  std::string GetFaults(const Statistics& statistics) const
+  {
+    return this->Faults.empty() ? "" : this->Faults + statistics.GetAsJSON() + "\n";
+  }
+
+private:
+  std::string Faults;
+};
+}
+
 std::string FindInconsistency(
   const vtkNBufferStatistics& s, int maximumNumberOfRounds, bool mayReadPixels)
 {
-  std::string faults;
-  const auto demand = [&faults](bool fulfilled, const char* what)
-  {
-    if (!fulfilled)
-    {
-      faults += std::string("Not so: ") + what + "\n";
-    }
-  };
+  Demand demand;
   const int hidden = s.GetCount(vtkNBufferVerdict::Hidden);
   demand(
     std::accumulate(s.Verdicts.begin(), s.Verdicts.end(), 0) == s.Props, "Props = sum of Verdicts");
@@ -51,43 +70,33 @@ std::string FindInconsistency(
   demand(s.UnitsOnDevice >= 0 && s.UnitsOnDevice <= s.Units, "UnitsOnDevice <= Units");
   demand(s.Decision <= vtkNBufferDecision::BackedOff || hidden == 0,
     "nothing is hidden where the culler steps aside");
-  return faults;
+  return demand.GetFaults(s);
 }
 
-std::string FindInconsistency(const vtkShadowStatistics& statistics)
+std::string FindInconsistency(const vtkShadowStatistics& s)
 {
-  const auto count = [&](vtkShadowVerdict verdict) { return statistics.GetCount(verdict); };
-  std::string result;
-  const auto demand = [&](bool holds, const char* what)
+  Demand demand;
+  const int whole = s.GetCount(vtkShadowVerdict::Whole) + s.GetCount(vtkShadowVerdict::Boxed) +
+    s.GetCount(vtkShadowVerdict::ThroughLightPlane);
+  demand(s.ZPass <= s.Draws, "ZPass <= Draws");
+  demand(s.Slabs >= s.GetCount(vtkShadowVerdict::Clamped), "a clamped caster has a slab");
+  if (s.Decision == vtkShadowDecision::Drawn)
   {
-    if (!holds)
-    {
-      result += std::string(result.empty() ? "" : "; ") + what;
-    }
-  };
-  const int verdicts = std::accumulate(statistics.Verdicts.begin(), statistics.Verdicts.end(), 0);
-  const int whole = count(vtkShadowVerdict::Whole) + count(vtkShadowVerdict::Boxed) +
-    count(vtkShadowVerdict::ThroughLightPlane);
-  const int clamped = count(vtkShadowVerdict::Clamped);
-  demand(statistics.ZPass <= statistics.Draws, "more z-pass than draws");
-  demand(statistics.Slabs >= clamped, "a clamped caster without a slab");
-  if (statistics.Decision == vtkShadowDecision::Drawn)
-  {
-    demand(verdicts >= statistics.Lights * statistics.Casters, "casters without a verdict");
-    demand(statistics.Draws > 0 && statistics.Triangles >= statistics.Draws, "nothing was drawn");
-    demand(statistics.Draws <= whole + statistics.Slabs, "more draws than casters and slabs");
-    demand(statistics.Litmaps <= 6 * statistics.Lights, "more litmaps than six for a light");
-    const int measured = statistics.MeasureTime > 0.0 ? 3 : 0;
-    const int readBacks = statistics.ReadBacks - measured;
-    demand(readBacks <= 1 && readBacks >= (statistics.Litmaps > 0 ? 1 : 0),
-      "litmaps without the receivers' depth, or more than one read-back");
-    demand(statistics.StencilClears >= 1 && statistics.StencilClears <= statistics.Draws,
-      "counted into nothing");
-    demand((statistics.Litmaps > 0) || statistics.Receivers == 0, "receivers without litmaps");
+    demand(std::accumulate(s.Verdicts.begin(), s.Verdicts.end(), 0) >= s.Lights * s.Casters,
+      "every caster has a verdict for each light");
+    demand(s.Draws > 0 && s.Triangles >= s.Draws, "something is drawn");
+    demand(s.Draws <= whole + s.Slabs, "Draws <= casters drawn whole + Slabs");
+    demand(s.Litmaps <= 6 * s.Lights, "Litmaps <= 6 * Lights");
+    const int measured = s.MeasureTime > 0.0 ? 3 : 0;
+    const int readBacks = s.ReadBacks - measured;
+    demand(readBacks <= 1 && readBacks >= (s.Litmaps > 0 ? 1 : 0),
+      "the receivers' depth of litmaps is read back, once");
+    demand(s.StencilClears >= 1 && s.StencilClears <= s.Draws, "1 <= StencilClears <= Draws");
+    demand(s.Litmaps > 0 || s.Receivers == 0, "there are receivers only with litmaps");
   }
   else
   {
-    demand(statistics.Draws == 0 && statistics.Triangles == 0, "volumes were drawn");
+    demand(s.Draws == 0 && s.Triangles == 0, "a frame without shadows draws no volumes");
   }
-  return result.empty() ? result : result + ": " + statistics.GetAsJSON();
+  return demand.GetFaults(s);
 }

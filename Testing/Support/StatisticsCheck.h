@@ -12,14 +12,15 @@
 
 #include <string>
 
-/// Returns the conditions that the culler's statistics violate, one a line; "" if there are none.
+/// @name Conditions
+/// Return the conditions that the statistics violate, one a line, and the statistics as JSON; "" if
+/// there are none.
+///@{
 /// `maximumNumberOfRounds` is that of the culler's tuning. If `mayReadPixels` is true, the culler
 /// may have compared single pixels, which count as lookups.
 std::string FindInconsistency(
   const vtkNBufferStatistics& statistics, int maximumNumberOfRounds, bool mayReadPixels);
-
-/// Returns the conditions that the statistics of a shadow pass violate, with these statistics as
-/// JSON; "" if there are none.
 std::string FindInconsistency(const vtkShadowStatistics& statistics);
+///@}
 
 #endif
