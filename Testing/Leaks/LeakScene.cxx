@@ -53,18 +53,18 @@ void SetCamera(vtkRenderer* renderer, int frame)
   camera->SetClippingRange(1.0, 100.0);
 }
 
-void ForeignProps::Note(vtkProp* prop)
+void WeakObjects::Add(vtkObject* object)
 {
-  if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
+  if (std::find(this->Objects.begin(), this->Objects.end(), object) == this->Objects.end())
   {
-    this->Props.emplace_back(prop);
+    this->Objects.emplace_back(object);
   }
 }
 
-int ForeignProps::GetNumberOfLivingProps() const
+int WeakObjects::GetNumberOfLiving() const
 {
-  return static_cast<int>(std::count_if(
-    this->Props.begin(), this->Props.end(), [](vtkProp* prop) { return prop != nullptr; }));
+  return static_cast<int>(std::count_if(this->Objects.begin(), this->Objects.end(),
+    [](vtkObject* object) { return object != nullptr; }));
 }
 
 int Renderer::UpdateGeometry(vtkFrameBufferObjectBase* framebuffer)
@@ -74,14 +74,15 @@ int Renderer::UpdateGeometry(vtkFrameBufferObjectBase* framebuffer)
   {
     if (!this->HasViewProp(this->PropArray[i]))
     {
-      this->Foreign->Note(this->PropArray[i]);
+      this->Foreign->Add(this->PropArray[i]);
     }
   }
   return this->Superclass::UpdateGeometry(framebuffer);
 }
 
-Contents::Contents(vtkRenderer* renderer)
+WeakObjects GetContents(vtkRenderer* renderer)
 {
+  WeakObjects objects;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator cookie;
   props->InitTraversal(cookie);
@@ -91,14 +92,9 @@ Contents::Contents(vtkRenderer* renderer)
     for (vtkObject* object : std::initializer_list<vtkObject*>{
            actor, actor->GetMapper(), actor->GetProperty(), actor->GetMapper()->GetInput() })
     {
-      this->Objects.emplace_back(object);
+      objects.Add(object);
     }
   }
-}
-
-int Contents::GetNumberOfLivingObjects() const
-{
-  return static_cast<int>(std::count_if(this->Objects.begin(), this->Objects.end(),
-    [](vtkObject* object) { return object != nullptr; }));
+  return objects;
 }
 }

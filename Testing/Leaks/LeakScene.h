@@ -34,28 +34,31 @@ void Build(vtkRenderer* renderer);
 /// Moves the camera to a place that depends on the frame, so that the culler tests each frame anew.
 void SetCamera(vtkRenderer* renderer, int frame);
 
-/// Weak pointers to the props that the culler put into a renderer's list for a frame: those that
-/// the application did not add to the renderer.
-class ForeignProps
+/// Weak pointers to objects.
+class WeakObjects
 {
 public:
-  /// Adds a prop that is not there yet.
-  void Note(vtkProp* prop);
-  int GetNumberOfProps() const { return static_cast<int>(this->Props.size()); }
-  int GetNumberOfLivingProps() const;
+  /// Adds an object that is not there yet.
+  void Add(vtkObject* object);
+  int GetSize() const { return static_cast<int>(this->Objects.size()); }
+  int GetNumberOfLiving() const;
 
 private:
-  std::vector<vtkWeakPointer<vtkProp>> Props;
+  std::vector<vtkWeakPointer<vtkObject>> Objects;
 };
 
-/// A renderer that records its foreign props in every frame.
+/// Returns a renderer's actors, their mappers, properties and data.
+WeakObjects GetContents(vtkRenderer* renderer);
+
+/// A renderer that records the props that the culler puts into its list for a frame: those that the
+/// application did not add to the renderer.
 class Renderer : public vtkOpenGLRenderer
 {
 public:
   static Renderer* New();
   vtkTypeMacro(Renderer, vtkOpenGLRenderer);
 
-  const std::shared_ptr<ForeignProps>& GetForeignProps() const { return this->Foreign; }
+  const std::shared_ptr<WeakObjects>& GetForeignProps() const { return this->Foreign; }
 
 protected:
   Renderer() = default;
@@ -78,19 +81,7 @@ private:
   }
   ///@}
 
-  std::shared_ptr<ForeignProps> Foreign = std::make_shared<ForeignProps>();
-};
-
-/// Weak pointers to a renderer's actors, their mappers, properties and data.
-class Contents
-{
-public:
-  explicit Contents(vtkRenderer* renderer);
-  int GetNumberOfObjects() const { return static_cast<int>(this->Objects.size()); }
-  int GetNumberOfLivingObjects() const;
-
-private:
-  std::vector<vtkWeakPointer<vtkObject>> Objects;
+  std::shared_ptr<WeakObjects> Foreign = std::make_shared<WeakObjects>();
 };
 }
 

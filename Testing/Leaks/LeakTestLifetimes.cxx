@@ -89,7 +89,7 @@ public:
 
   int GetHidden() const { return this->Culler->GetNumberOfHiddenProps(); }
 
-  std::shared_ptr<LeakScene::ForeignProps> Foreign;
+  std::shared_ptr<LeakScene::WeakObjects> Foreign;
 
 private:
   int Frame = 0;
@@ -119,16 +119,16 @@ TEST_P(LeaksByOrder, NothingOutlivesItsOwner)
     stage.AddCuller();
     stage.Render(4);
     EXPECT_GE(stage.GetHidden(), LeakScene::BoxesBehind - 10);
-    const LeakScene::Contents contents(stage.GetRenderer());
-    EXPECT_EQ(contents.GetNumberOfLivingObjects(), contents.GetNumberOfObjects());
-    EXPECT_GE(stage.Foreign->GetNumberOfProps(), 1 + LeakScene::TranslucentBehind);
+    const LeakScene::WeakObjects contents = LeakScene::GetContents(stage.GetRenderer());
+    EXPECT_EQ(contents.GetNumberOfLiving(), contents.GetSize());
+    EXPECT_GE(stage.Foreign->GetSize(), 1 + LeakScene::TranslucentBehind);
     const vtkWeakPointer<vtkNBufferCuller> culler = stage.Culler.Get();
     for (Part part : order)
     {
       stage.Drop(part);
       if (!stage.HasRenderer())
       {
-        EXPECT_EQ(contents.GetNumberOfLivingObjects(), 0) << "the culler keeps them";
+        EXPECT_EQ(contents.GetNumberOfLiving(), 0) << "the culler keeps them";
       }
       if (!stage.Culler && !stage.HasRenderer())
       {
@@ -136,7 +136,7 @@ TEST_P(LeaksByOrder, NothingOutlivesItsOwner)
       }
       if (!culler)
       {
-        EXPECT_EQ(stage.Foreign->GetNumberOfLivingProps(), 0);
+        EXPECT_EQ(stage.Foreign->GetNumberOfLiving(), 0);
       }
       if (stage.Window && stage.HasRenderer())
       {
@@ -145,7 +145,7 @@ TEST_P(LeaksByOrder, NothingOutlivesItsOwner)
       }
     }
     EXPECT_EQ(culler, nullptr);
-    EXPECT_EQ(stage.Foreign->GetNumberOfLivingProps(), 0);
+    EXPECT_EQ(stage.Foreign->GetNumberOfLiving(), 0);
   }
   if (Memory::GetModuleBlocks() >= 0)
   {
