@@ -20,15 +20,10 @@
 
 namespace
 {
-double MakeNumber(std::mt19937& random, double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
 /// A number of any magnitude from 10^low to 10^high.
 double MakeMagnitude(std::mt19937& random, double low, double high)
 {
-  return std::pow(10.0, MakeNumber(random, low, high));
+  return std::pow(10.0, MakeUniform(random, low, high));
 }
 }
 
@@ -46,7 +41,7 @@ TEST(ShadowConeReach, ExcludesByTheRuleForAllDistances)
     reach.Farthest = MakeMagnitude(random, 0.0, 3.0);
     reach.EyeToLight = MakeMagnitude(random, -1.0, 3.0);
     const double distance = MakeMagnitude(random, -2.0, 3.0);
-    const double angle = MakeNumber(random, -0.5, 3.0);
+    const double angle = MakeUniform(random, -0.5, 3.0);
     const double sine = angle > 1.5707963267948966 ? 1.0 : std::max(std::sin(angle), 0.0);
     double least = 1e300; // by how much the shadow's distance from the cone exceeds E, at least
     for (int k = 0; k <= 1000; ++k)
@@ -88,7 +83,7 @@ TEST(ShadowConeReach, NoReceiverIsFartherFromTheCone)
     camera->SetPosition(0.0, 0.0, 0.0);
     camera->SetFocalPoint(focus.x, focus.y, focus.z);
     camera->SetViewUp(0.1, 0.2, 1.0);
-    camera->SetViewAngle(MakeNumber(random, 20.0, 100.0));
+    camera->SetViewAngle(MakeUniform(random, 20.0, 100.0));
     camera->SetParallelProjection(isParallel);
     camera->SetParallelScale(0.3 * far);
     camera->SetClippingRange(near, far);
@@ -104,15 +99,16 @@ TEST(ShadowConeReach, NoReceiverIsFartherFromTheCone)
     light.Kind = vtkShadowLightKind::Spot;
     light.Position = view.Origin + MakePoint(random, far);
     light.Direction = glm::normalize(MakePoint(random, 1.0));
-    light.ConeAngle = MakeNumber(random, 5.0, 80.0);
+    light.ConeAngle = MakeUniform(random, 5.0, 80.0);
     const vtkShadowLightSpace space(light);
     vtkShadowReceiverProjector projector(view, light, space);
     const vtkShadowConeReach reach = projector.GetConeReach();
     for (int k = 0; k < 300; ++k)
     {
-      projector.SetRow({ 0.5, 0.5 }, static_cast<int>(MakeNumber(random, 0.0, 120.0)));
-      const auto receiver = projector.Project(
-        static_cast<int>(MakeNumber(random, 0.0, 160.0)), MakeNumber(random, 0.0, 1.0));
+      projector.SetRow({ 0.5, 0.5 }, static_cast<int>(MakeUniform(random, 0.0, 120.0)));
+      const double depth = MakeUniform(random, 0.0, 1.0);
+      const auto receiver =
+        projector.Project(static_cast<int>(MakeUniform(random, 0.0, 160.0)), depth);
       if (!receiver || std::isinf(receiver->Radius))
       {
         continue;

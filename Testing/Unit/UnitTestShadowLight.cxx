@@ -125,10 +125,10 @@ TEST(ShadowLight, ReachesItsCone)
   for (int n = 0; n < 3000; ++n)
   {
     vtkShadowLight light = RandomLight(random, Kind::Spot);
-    light.ConeAngle = std::uniform_real_distribution<double>(0.5, 89.5)(random);
+    light.ConeAngle = MakeUniform(random, 0.5, 89.5);
     // Every other one close to the edge of the cone.
-    const double angle = n % 2 ? std::uniform_real_distribution<double>(0.0, 180.0)(random)
-                               : light.ConeAngle + 0.01 * (n % 9 - 4) + 0.005;
+    const double angle =
+      n % 2 ? MakeUniform(random, 0.0, 180.0) : light.ConeAngle + 0.01 * (n % 9 - 4) + 0.005;
     Point across;
     vtkMath::Perpendiculars(
       glm::value_ptr(light.Direction), glm::value_ptr(across), nullptr, 0.01 * n);
