@@ -6,11 +6,15 @@
 #include "Messages.h"
 #include "StatisticsCheck.h"
 #include "Tune.h"
+#include "vtkNBufferGL.h"
 
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -89,6 +93,17 @@ void Compare(const char* what, const Picture& shape, const int region[4],
     faults << (image == &expected ? " expected," : " drawn\n");
   }
 }
+}
+
+std::vector<std::array<double, 2>> GetSamplePlaces(vtkRenderWindow* window)
+{
+  auto* openGLWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
+  window->MakeCurrent();
+  openGLWindow->GetState()->PushFramebufferBindings();
+  openGLWindow->GetRenderFramebuffer()->Bind();
+  const vtkNBufferGL::SamplePlaces places = vtkNBufferGL::GetSamplePlaces();
+  openGLWindow->GetState()->PopFramebufferBindings();
+  return places;
 }
 
 std::string FindDifference(

@@ -13,6 +13,7 @@
 
 #include "Stage.h"
 
+#include <array>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -39,6 +40,10 @@ enum class PictureSource
 /// Reads the last frame of a window.
 Picture TakePicture(
   vtkRenderWindow* window, bool withDepth = false, PictureSource source = PictureSource::Shown);
+
+/// Returns the places of the samples in a pixel of a window that has rendered, in [0, 1] from the
+/// lower left corner. Without multisampling there is one sample, the centre.
+std::vector<std::array<double, 2>> GetSamplePlaces(vtkRenderWindow* window);
 
 /// Returns in how many pixels the pictures differ, which is the first of them, and its values in
 /// both. Depth is compared if both pictures have it. `region`, if given, is the x, y, width and

@@ -4,7 +4,6 @@
 // The depth that a rasteriser gives to clipped triangles against the bound that the oracle grants.
 #include "DrawnPolygon.h"
 #include "Fill.h"
-#include "ShadowShapes.h"
 #include "ShadowTest.h"
 #include "ThinSides.h"
 
@@ -24,8 +23,6 @@
 #include <memory>
 #include <random>
 #include <vector>
-
-using namespace ShadowShapes;
 
 namespace
 {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The oracle in scenes whose shadows are known.
-#include "ShadowShapes.h"
 #include "ShadowTest.h"
 
 #include "vtkActor.h"
@@ -14,8 +13,6 @@
 #include <cmath>
 #include <functional>
 #include <set>
-
-using namespace ShadowShapes;
 
 namespace
 {

@@ -15,7 +15,7 @@ using OracleErrorTest = OffscreenFixture;
 Stage MakeStage()
 {
   return SetStage(
-    [](TestScene::SceneBuilder& scene)
+    [](SceneBuilder& scene)
     {
       scene.Floor(200.0);
       scene.Box({ 20.0, 30.0, 9.0 }, { 10.0, 10.0, 2.0 });

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The tree against all triangles, and against VTK's locator.
-#include "ShadowShapes.h"
 #include "ShadowTest.h"
 
 #include "vtkCellArray.h"
@@ -122,7 +121,7 @@ TEST_F(TreeTest, TrianglesOnAGrid)
 // Rays from inside of a closed mesh through its edges and corners must cross a triangle.
 TEST_F(TreeTest, ClosedMeshesAreTight)
 {
-  vtkSmartPointer<vtkPolyData> sphere = ShadowShapes::MakeGlobe({ 0.1, 0.2, 0.3 }, 1.0, 9);
+  vtkSmartPointer<vtkPolyData> sphere = MakeGlobe({ 0.1, 0.2, 0.3 }, 1.0, 9);
   std::vector<double> corners;
   vtkIdType size;
   const vtkIdType* ids;
@@ -203,8 +202,8 @@ TEST_F(TreeTest, AgreesWithLocator)
   const Oracle oracle(stage.GetRenderer());
   const OracleLight light(stage.Lights[0]);
   const std::vector<double>& corners = oracle.GetTriangles().Corners;
-  std::vector<ShadowShapes::Point> points;
-  std::vector<ShadowShapes::Polygon> triangles;
+  std::vector<Point> points;
+  std::vector<Polygon> triangles;
   for (std::size_t i = 0; i < corners.size(); i += 9)
   {
     const int first = static_cast<int>(points.size());
@@ -215,7 +214,7 @@ TEST_F(TreeTest, AgreesWithLocator)
     triangles.push_back({ first, first + 1, first + 2 });
   }
   vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(ShadowShapes::MakeMesh(points, triangles));
+  locator->SetDataSet(MakeMesh(points, triangles));
   locator->BuildLocator();
   int receivers = 0;
   int shadowed = 0;

@@ -5,7 +5,6 @@
 #include "CompositeMapper.h"
 #include "LightRig.h"
 #include "PassTestTools.h"
-#include "ShadowShapes.h"
 #include "Tune.h"
 
 #include "vtkActor.h"
@@ -24,8 +23,6 @@
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
-
-using namespace ShadowShapes;
 
 namespace
 {

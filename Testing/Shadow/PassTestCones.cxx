@@ -3,14 +3,11 @@
 
 // Spots: what VTK's shader finds in their cones must have its shadow, wherever litmaps find it.
 #include "PassTestTools.h"
-#include "ShadowShapes.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkProperty.h"
-
-using namespace ShadowShapes;
 
 using PassCones = OffscreenFixture;
 

@@ -3,7 +3,6 @@
 
 // Data sets that are not polydata cast as their surfaces do.
 #include "PassTestTools.h"
-#include "ShadowShapes.h"
 
 #include "vtkActor.h"
 #include "vtkDataSetMapper.h"
@@ -14,8 +13,6 @@
 
 #include <numeric>
 #include <utility>
-
-using namespace ShadowShapes;
 
 namespace
 {

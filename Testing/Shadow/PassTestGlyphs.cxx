@@ -3,7 +3,6 @@
 
 // The instances of a glyph cast, each as a caster of its own.
 #include "PassTestTools.h"
-#include "ShadowShapes.h"
 
 #include "vtkNBufferGlyphs.h"
 #include "vtkNBufferProtectedGlyphs.h"
@@ -32,8 +31,6 @@
 #include <random>
 #include <string>
 #include <utility>
-
-using namespace ShadowShapes;
 
 namespace
 {

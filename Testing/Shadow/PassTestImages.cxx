@@ -6,7 +6,6 @@
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "ScenePasses.h"
-#include "ShadowShapes.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -24,8 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-using namespace ShadowShapes;
 
 namespace
 {

@@ -5,7 +5,6 @@
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "RerenderedLitmap.h"
-#include "ShadowShapes.h"
 #include "Tune.h"
 
 #include "vtkActor.h"
@@ -13,8 +12,6 @@
 #include <functional>
 #include <string>
 #include <utility>
-
-using namespace ShadowShapes;
 
 namespace
 {

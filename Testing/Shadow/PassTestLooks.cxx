@@ -5,7 +5,6 @@
 // (Testing/Baselines). Exact colours and edges are tested elsewhere as numbers.
 #include "ImageComparison.h"
 #include "PassTestTools.h"
-#include "ShadowShapes.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
@@ -14,8 +13,6 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
-
-using namespace ShadowShapes;
 
 namespace
 {

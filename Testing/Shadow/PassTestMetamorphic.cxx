@@ -6,7 +6,6 @@
 #include "PassTestTools.h"
 #include "SceneChanges.h"
 #include "ScenePasses.h"
-#include "ShadowShapes.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -36,8 +35,6 @@
 #include <algorithm>
 #include <iostream>
 #include <numeric>
-
-using namespace ShadowShapes;
 
 namespace
 {

@@ -3,7 +3,6 @@
 
 // Multisampling: masks and pictures, sample by sample.
 #include "PassTestTools.h"
-#include "ShadowShapes.h"
 
 #include "vtkShadowTarget.h"
 
@@ -17,8 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-using namespace ShadowShapes;
 
 namespace
 {

@@ -5,7 +5,6 @@
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "SceneBuilder.h"
-#include "ShadowShapes.h"
 #include "Tune.h"
 
 #include "vtkNBufferGL.h"
@@ -48,7 +47,7 @@ void AddSphere(const Stage& stage, int meridians, int parallels)
   sphere->SetRadius(0.2);
   sphere->SetCenter(0.0, 0.0, 2.0);
   sphere->Update();
-  ShadowShapes::AddMesh(stage.GetRenderer(), sphere->GetOutput());
+  AddMesh(stage.GetRenderer(), sphere->GetOutput());
 }
 
 /// No volume, litmap or read-back, and nothing cached anew.
@@ -192,7 +191,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
 TEST_F(PassStatistics, AutomaticLeavesOutCastersBesideTheCone)
 {
   const Stage stage = SetStage(
-    [](TestScene::SceneBuilder& scene)
+    [](SceneBuilder& scene)
     {
       scene.Box({ 0.0, 0.0, -0.1 }, { 20.0, 20.0, 0.2 });
       scene.Box({ 0.3, 0.2, 1.0 }, { 0.6, 0.6, 0.6 });
@@ -332,7 +331,7 @@ TEST_F(PassStatistics, ManyCastersAreSharedOut)
 {
   constexpr int side = 66;
   const Stage stage = SetStage(
-    [](TestScene::SceneBuilder& scene)
+    [](SceneBuilder& scene)
     {
       scene.Floor(10.0);
       for (int i = 0; i < side * side; ++i)

@@ -6,7 +6,6 @@
 
 #include "vtkLight.h"
 #include "vtkNew.h"
-#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -35,19 +34,6 @@ std::size_t CountPixels(vtkRenderer* renderer)
 {
   const vtkNBufferRectangle pixels = GetPixels(renderer);
   return static_cast<std::size_t>(pixels.GetWidth()) * pixels.GetHeight();
-}
-
-std::vector<std::array<double, 2>> GetSamplePlaces(vtkRenderWindow* window)
-{
-  vtkOpenGLFramebufferObject* framebuffer =
-    vtkOpenGLRenderWindow::SafeDownCast(window)->GetRenderFramebuffer();
-  window->MakeCurrent();
-  int bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer->GetFBOIndex());
-  const vtkNBufferGL::SamplePlaces places = vtkNBufferGL::GetSamplePlaces();
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  return places;
 }
 
 ShadowMask GetMask(vtkShadowVolumeClampPass* pass, vtkLight* light, std::size_t pixels, int sample)

@@ -18,7 +18,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <vector>
 
 /// The modes that differ in how they draw volumes.
@@ -28,10 +27,6 @@ constexpr int ShadowModes[] = { vtkShadowVolumeClampPass::Unclamped,
 /// Makes a pass with the mode Scissored, and sets it as the pass of the stage's renderer. (The mode
 /// Automatic would use no litmaps in scenes as small as those of the tests.)
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage);
-
-/// Returns the places of the samples in a pixel of a window that has rendered, in [0, 1] from the
-/// lower left corner. Without multisampling there is one sample, the centre.
-std::vector<std::array<double, 2>> GetSamplePlaces(vtkRenderWindow* window);
 
 ///@{
 /// Return the mask of the last frame, as the mean of each pixel's samples or, for `sample` >= 0, of

@@ -4,7 +4,6 @@
 // Windows, renderers and lifetimes.
 #include "PassTestTools.h"
 #include "ScenePasses.h"
-#include "ShadowShapes.h"
 
 #include "vtkNBufferCuller.h"
 #include "vtkNBufferGL.h"
@@ -220,7 +219,7 @@ TEST_F(PassWindows, CameraInsideAClosedCaster)
   sphere->SetRadius(3.0);
   sphere->Update();
   const Stage stage = SetNamedStage("Directional");
-  ShadowShapes::AddMesh(stage.GetRenderer(), sphere->GetOutput());
+  AddMesh(stage.GetRenderer(), sphere->GetOutput());
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
   camera->SetFocalPoint(0.0, 0.0, 0.0);
@@ -250,7 +249,7 @@ TEST_F(PassWindows, BufferTextures)
   }
   data->GetCellData()->SetScalars(colors);
   const Stage stage = SetNamedStage("Directional");
-  vtkActor* actor = ShadowShapes::AddMesh(stage.GetRenderer(), data);
+  vtkActor* actor = AddMesh(stage.GetRenderer(), data);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (int frame = 0; frame < 3; ++frame)
   {
@@ -431,8 +430,7 @@ TEST_F(PassLifetime, MoreLightsThanTextureUnits)
   std::vector<vtkSmartPointer<vtkLight>> more;
   for (int i = 0; i < units * vtkShadowTarget::LightsPerMask; ++i)
   {
-    more.push_back(
-      TestScene::MakeLight(TestScene::SceneBuilder().Directional({ 0.01 * i, 0.2, -1.0 })));
+    more.push_back(TestScene::MakeLight(SceneBuilder().Directional({ 0.01 * i, 0.2, -1.0 })));
     more.back()->SetIntensity(0.01);
     stage.GetRenderer()->AddLight(more.back());
   }
@@ -463,7 +461,7 @@ TEST_F(PassLifetime, MoreLightsThanTextureUnits)
 TEST_F(PassWindows, SelectionsFindWhatTheyFindWithoutIt)
 {
   const Stage stage = SetStage(
-    [](TestScene::SceneBuilder& scene)
+    [](SceneBuilder& scene)
     {
       scene.Floor(5.0);
       scene.Sphere({ 0.0, 0.0, 1.5 }, 1.0);

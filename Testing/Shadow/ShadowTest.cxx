@@ -5,10 +5,15 @@
 #include "Fill.h"
 #include "SceneProps.h"
 
+#include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -76,8 +81,8 @@ Stage SetStage(const NamedScenario& scene)
   return stage;
 }
 
-Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width, int height,
-  int multiSamples)
+Stage SetStage(
+  const std::function<void(SceneBuilder&)>& build, int width, int height, int multiSamples)
 {
   return SetStage(TestScene::MakeShadowScenario("", build, width, height, multiSamples));
 }
@@ -85,6 +90,33 @@ Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int w
 Stage SetNamedStage(const std::string& name)
 {
   return SetStage(GetScenario(name));
+}
+
+vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution)
+{
+  SceneBuilder scene;
+  scene.UsesDoubles = true;
+  return TestScene::MakeShape(scene.Sphere(centre, radius, resolution).Shape);
+}
+
+vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  const int number = renderer->GetActors()->GetNumberOfItems();
+  actor->GetProperty()->SetColor(
+    0.4 + 0.1 * (number % 7), 0.4 + 0.1 * (number % 5), 0.4 + 0.2 * (number % 3));
+  renderer->AddActor(actor);
+  return actor;
+}
+
+void Fill(vtkRenderer* renderer, const std::function<void(SceneBuilder&)>& build)
+{
+  TestScene::Scenario scenario = TestScene::MakeShadowScenario("", build).Scenario;
+  std::copy_n(renderer->GetViewport(), 4, scenario.Renderers[0].Viewport.begin());
+  TestScene::Fill(renderer, scenario);
 }
 
 vtkNBufferRectangle GetPixels(vtkRenderer* renderer)

@@ -13,6 +13,7 @@
 #include "OffscreenFixture.h"
 #include "Pixels.h"
 #include "RayOracle.h"
+#include "SceneBuilder.h"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +22,15 @@
 #include <string>
 #include <vector>
 
+using Point = glm::dvec3;
+using Polygon = std::vector<int>;
 using TestScene::FindDifference;
+using TestScene::GetSamplePlaces;
+using TestScene::MakeBox;
+using TestScene::MakeMesh;
 using TestScene::NamedScenario;
 using TestScene::Picture;
+using TestScene::SceneBuilder;
 using TestScene::Stage;
 using TestScene::TakePicture;
 
@@ -45,14 +52,23 @@ NamedScenario GetScenario(const std::string& name);
 /// that has not rendered yet.
 Stage SetStage(const NamedScenario& scene);
 /// Returns a stage with the scene that `build` describes. Points are stored as doubles.
-Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width = 200,
-  int height = 150, int multiSamples = 0);
+Stage SetStage(const std::function<void(SceneBuilder&)>& build, int width = 200, int height = 150,
+  int multiSamples = 0);
 /// Returns a stage with a scene of GetScenarios().
 Stage SetNamedStage(const std::string& name);
 /// Adds what the first frame of a scene describes to the stage.
 void FillStage(const Stage& stage, const NamedScenario& scene);
 /// Applies the changes of props before the scene's second frame. Returns false if there is none.
 bool ChangeStage(const Stage& stage, const NamedScenario& scene);
+
+/// Makes a sphere by vtkSphereSource. It has one point at each pole and one seam.
+vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution);
+
+/// Adds an actor. Its colour follows from its number in the renderer, as in scenarios.
+vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh);
+
+/// Adds what `build` describes to a renderer, whose viewport does not change.
+void Fill(vtkRenderer* renderer, const std::function<void(SceneBuilder&)>& build);
 
 /// Returns the pixels of the window that the renderer fills.
 vtkNBufferRectangle GetPixels(vtkRenderer* renderer);
