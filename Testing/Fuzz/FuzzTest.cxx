@@ -107,18 +107,8 @@ TEST(FuzzScenario, NumbersOfEveryKindSurvive)
 
 TEST(FuzzScenario, SaysWhereAFileIsWrong)
 {
-  const auto getFault = [](const std::string& text) -> std::string
-  {
-    try
-    {
-      FromJson(Parse(text));
-    }
-    catch (const std::runtime_error& error)
-    {
-      return error.what();
-    }
-    return "";
-  };
+  const auto getFault = [](const std::string& text)
+  { return GetThrownMessage([&text] { FromJson(Parse(text)); }); };
   EXPECT_EQ(getFault("{}"), "");
   EXPECT_EQ(getFault(R"({"frames": "many"})"), "scenario.frames must be an integer");
   EXPECT_EQ(getFault(R"({"props": [{}, {"kind": "Dragon"}]})"),

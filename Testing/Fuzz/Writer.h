@@ -12,7 +12,6 @@
 #include "Random.h"
 
 #include <initializer_list>
-#include <utility>
 #include <vector>
 
 namespace TestScene

@@ -27,10 +27,8 @@
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cmath>
 #include <functional>
 #include <random>
-#include <utility>
 #include <vector>
 
 using LargeProps::AddWalls;

@@ -7,7 +7,6 @@
 
 #include "vtkOpenGLRenderWindow.h"
 
-#include <cstring>
 #include <utility>
 
 namespace
@@ -16,17 +15,12 @@ using NBufferPeers::ChainEdges;
 using NBufferPeers::DepthChain;
 using NBufferPeers::GroupForm;
 using StudyTest::Image;
+using StudyTest::Interval;
 
 constexpr std::pair<int, int> Sizes[] = { { 1, 1 }, { 1, 37 }, { 41, 2 }, { 7, 3 }, { 16, 16 },
   { 17, 33 }, { 103, 111 }, { 64, 64 }, { 301, 173 }, { 511, 129 } };
 
 constexpr int AllLevels = 64;
-
-struct Interval
-{
-  int Begin;
-  int End;
-};
 
 /// Returns the pixels along an axis that a texel of a chain covers.
 Interval GetCovered(ChainEdges edges, int size, int level, int texel)
@@ -56,24 +50,6 @@ protected:
     this->Chain.SetDepth(this->Window, layers, images.front().Width, images.front().Height);
   }
 
-  /// Compares a level with the farthest depths of the pixels that its texels cover.
-  template <typename Cover>
-  static void Compare(const Image& image, const std::vector<float>& level, int width, int height,
-    const std::string& what, Cover&& cover)
-  {
-    ASSERT_EQ(level.size(), static_cast<std::size_t>(width) * height) << what;
-    for (const auto& [x, y] : Pixels(width, height))
-    {
-      const Interval columns = cover(image.Width, x);
-      const Interval rows = cover(image.Height, y);
-      const float expected = image.Scan({ columns.Begin, rows.Begin, columns.End, rows.End });
-      const float found = level[static_cast<std::size_t>(y) * width + x];
-      ASSERT_EQ(std::memcmp(&expected, &found, sizeof(float)), 0)
-        << what << ", texel (" << x << ", " << y << ") of " << image.Width << " x " << image.Height
-        << ": expected " << expected << ", found " << found;
-    }
-  }
-
   void CompareChain(ChainEdges edges, const std::vector<Image>& images, int count)
   {
     this->Chain.BuildChain(edges, count);
@@ -84,7 +60,7 @@ protected:
       {
         const std::vector<float> texels = this->Chain.DownloadChain(level, static_cast<int>(layer));
         const Image& image = images[layer];
-        Compare(image, texels, DepthChain::GetLevelSize(image.Width, level),
+        ExpectLevel(image, texels, DepthChain::GetLevelSize(image.Width, level),
           DepthChain::GetLevelSize(image.Height, level), "level " + std::to_string(level),
           [=](int size, int texel) { return GetCovered(edges, size, level, texel); });
       }
@@ -98,7 +74,7 @@ protected:
     {
       const std::vector<float> texels = this->Chain.DownloadGroups(static_cast<int>(layer));
       const Image& image = images[layer];
-      Compare(image, texels, (image.Width + 15) / 16, (image.Height + 15) / 16,
+      ExpectLevel(image, texels, (image.Width + 15) / 16, (image.Height + 15) / 16,
         "side " + std::to_string(form.Side) + (form.Gather ? ", gather" : "") +
           (form.Atomics ? ", atomics" : ""),
         [](int size, int texel) {
@@ -153,7 +129,7 @@ TEST_F(StudyDepthChain, FewerLevelsCanBeBuilt)
   this->CompareChain(ChainEdges::Fat, images, 1);
   // What is above has not been built again.
   const std::vector<float> above = this->Chain.DownloadChain(2, 1);
-  Compare(images[1], above, 15, 11, "level 2",
+  ExpectLevel(images[1], above, 15, 11, "level 2",
     [](int size, int texel) { return GetCovered(ChainEdges::Exact, size, 2, texel); });
 }
 

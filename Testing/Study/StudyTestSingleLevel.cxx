@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One level by the device equals the double loop, bit for bit.
+#include "Messages.h"
 #include "SingleLevel.h"
 #include "StudyImage.h"
 #include "WindowFixture.h"
@@ -8,8 +9,6 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <cmath>
-#include <cstring>
-#include <stdexcept>
 #include <utility>
 
 namespace
@@ -49,16 +48,10 @@ protected:
       const int height = (image.Height + factor - 1) / factor;
       ASSERT_EQ(this->Level.GetWidth(), width);
       ASSERT_EQ(this->Level.GetHeight(), height);
-      ASSERT_EQ(level.size(), static_cast<std::size_t>(width) * height);
-      for (const auto& [x, y] : Pixels(width, height))
-      {
-        const float expected = image.Scan({ factor * x, factor * y,
-          std::min(factor * (x + 1), image.Width), std::min(factor * (y + 1), image.Height) });
-        const float found = level[static_cast<std::size_t>(y) * width + x];
-        ASSERT_EQ(std::memcmp(&expected, &found, sizeof(float)), 0)
-          << "factor " << factor << ", texel (" << x << ", " << y << ") of " << image.Width << " x "
-          << image.Height << ": expected " << expected << ", found " << found;
-      }
+      StudyTest::ExpectLevel(image, level, width, height, "factor " + std::to_string(factor),
+        [factor](int size, int texel) {
+          return StudyTest::Interval{ factor * texel, std::min(factor * (texel + 1), size) };
+        });
     }
   }
 
@@ -88,18 +81,8 @@ TEST_P(StudySingleLevel, EndsOfTheRangeAndNeighbouringFloats)
 
 TEST_P(StudySingleLevel, OtherFactorsAreRefused)
 {
-  const auto reduce = [this](int factor) -> std::string
-  {
-    try
-    {
-      this->Level.Reduce(GetParam(), factor);
-    }
-    catch (const std::runtime_error& error)
-    {
-      return error.what();
-    }
-    return "";
-  };
+  const auto reduce = [this](int factor)
+  { return GetThrownMessage([&] { this->Level.Reduce(GetParam(), factor); }); };
   EXPECT_NE(reduce(4).find("SetDepth"), std::string::npos);
   const Image image(5, 5, 1);
   this->Level.SetDepth(this->Window, image.Depth, 5, 5);
