@@ -20,8 +20,9 @@ class vtkInformation;
 class vtkNBufferCandidateList;
 class vtkNBufferDeferredProxy;
 class vtkNBufferDepthTest;
-class vtkNBufferPartition;
+class vtkNBufferDividedProp;
 class vtkNBufferDivision;
+class vtkNBufferPartition;
 class vtkNBufferProjection;
 class vtkRenderer;
 
