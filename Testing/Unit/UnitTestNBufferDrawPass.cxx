@@ -52,6 +52,31 @@ TEST(NBufferDrawPass, StaysUntilItIsDetachedAsOftenAsAttached)
   EXPECT_FALSE(pass->IsUsedBy(mapper));
 }
 
+// Two renderers have the same actor, and one of them finds first that it shows another mapper.
+TEST(NBufferDrawPass, MovesToAnotherMapper)
+{
+  vtkNew<vtkRenderWindow> window;
+  const auto pass = vtkNBufferDrawPass::Get(window);
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkPolyDataMapper> mappers[2];
+  actor->SetMapper(mappers[0]);
+  pass->Attach(actor);
+  pass->Attach(actor);
+  EXPECT_FALSE(pass->HasOtherMapper(actor));
+  actor->SetMapper(mappers[1]);
+  EXPECT_TRUE(pass->HasOtherMapper(actor));
+  pass->Detach(actor);
+  pass->Attach(actor);
+  EXPECT_FALSE(pass->HasOtherMapper(actor));
+  EXPECT_EQ(CountPasses(actor), 1);
+  EXPECT_FALSE(pass->IsUsedBy(mappers[0]));
+  EXPECT_TRUE(pass->IsUsedBy(mappers[1]));
+  pass->Detach(actor);
+  EXPECT_EQ(CountPasses(actor), 1);
+  pass->Detach(actor);
+  EXPECT_EQ(CountPasses(actor), 0);
+}
+
 // Hazard: actors that have used a mapper in several ways leave the renderer's list. Without the
 // pass the mapper would make its shaders anew when they come back.
 TEST(NBufferDrawPass, StaysAttachedWhereTheMapperIsKeptWhole)

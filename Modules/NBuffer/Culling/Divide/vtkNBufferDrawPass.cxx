@@ -108,9 +108,16 @@ vtkNBufferDrawPass::User& vtkNBufferDrawPass::AddUser(vtkActor* actor)
     this->UsersToCheck = 2 * this->Users.size() + 1;
   }
   User& user = this->Users[actor];
+  int count = 0;
+  if (this->HasOtherMapper(actor))
+  {
+    const User former = std::exchange(user, {});
+    this->RemoveFrom(former);
+    count = former.Count;
+  }
   if (!user.Actor)
   {
-    user = { actor, actor->GetMapper(), 0 };
+    user = { actor, actor->GetMapper(), count };
     vtkInformation* keys = vtkNBufferPropertyKeys::Get(actor);
     // Passes that are added while the renderer draws come after this one.
     const int place = vtkNBufferPropertyKeys::CountPasses(keys);
@@ -143,7 +150,8 @@ void vtkNBufferDrawPass::RemoveFrom(const User& user)
 bool vtkNBufferDrawPass::HasOtherMapper(vtkActor* actor) const
 {
   const auto user = this->Users.find(actor);
-  return user != this->Users.end() && user->second.Mapper != actor->GetMapper();
+  return user != this->Users.end() && user->second.Actor &&
+    user->second.Mapper != actor->GetMapper();
 }
 
 bool vtkNBufferDrawPass::AttachAgain(vtkActor* actor)

@@ -116,7 +116,8 @@ private:
   struct Registry;
   static const std::shared_ptr<Registry>& GetRegistry();
 
-  /// The actor's entry, new and with the pass in the actor's keys if there was none.
+  /// The actor's entry, new and with the pass in the actor's keys if there was none, or if it is
+  /// for another mapper.
   User& AddUser(vtkActor* actor);
   /// Remove the pass from the keys of an actor that is no user any more, and, if no user has got
   /// the pass with the same mapper, from what this mapper knows of its last draws.
