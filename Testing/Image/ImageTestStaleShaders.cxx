@@ -145,8 +145,7 @@ const StaleCase StaleCases[] = {
       comparison.Both(
         [](Stage& stage) { stage.GetActor(Large)->SetMapper(stage.GetActor(Small)->GetMapper()); });
       CompareFrames(comparison);
-      comparison.Both(
-        [](Stage& stage) { stage.GetActor(Large)->GetProperty()->EdgeVisibilityOn(); });
+      comparison.Both([](Stage& stage) { stage.GetActor(Large)->GetProperty()->LightingOff(); });
       CompareFrames(comparison);
     } },
 };
