@@ -6,6 +6,8 @@
 
 #include "vtkProperty.h"
 
+#include <utility>
+
 namespace TestScene
 {
 namespace
@@ -134,12 +136,9 @@ NamedScenario HiddenActorMakesShaders()
   return scene.Finish();
 }
 
-/// Large props that share a mapper have been divided, and one of them has needed other shaders
-/// since. They leave the renderer's list and come back, which must not make their shaders anew.
-NamedScenario DividedPropsLeaveTheList(DefaultCuller culler)
+/// Two large props that share a mapper are divided in the first two frames. Returns their numbers.
+std::pair<int, int> AddDividedSharers(HazardBuilder& scene)
 {
-  HazardBuilder scene("DividedPropsLeaveTheList");
-  scene.Scene.Culler.DefaultCuller = culler;
   scene.Scene.Culler.MinimumNumberOfPrimitives = 2;
   const int first = scene.Sphere({ -2.0, 0.0, 0.0 }, 1.5).Id;
   Prop& second = scene.Sphere({ 0.0, 0.0, 0.0 }, 1.0);
@@ -150,6 +149,16 @@ NamedScenario DividedPropsLeaveTheList(DefaultCuller culler)
   scene.Sphere({ 2.0, 40.0, 0.0 }, 1.0);
   scene.LookAtWall();
   Walk(scene, 2);
+  return { first, other };
+}
+
+/// Large props that share a mapper have been divided, and one of them has needed other shaders
+/// since. They leave the renderer's list and come back, which must not make their shaders anew.
+NamedScenario DividedPropsLeaveTheList(DefaultCuller culler)
+{
+  HazardBuilder scene("DividedPropsLeaveTheList");
+  scene.Scene.Culler.DefaultCuller = culler;
+  const auto [first, other] = AddDividedSharers(scene);
   scene.Change(ChangeKind::Representation, first, { static_cast<double>(VTK_WIREFRAME) });
   Walk(scene, 1);
   scene.Change(ChangeKind::Color, other, { 1.0, 0.5, 0.0 });
@@ -178,16 +187,7 @@ NamedScenario DividedPropsLeaveTheList(DefaultCuller culler)
 NamedScenario DividedPropsComeBackChanged()
 {
   HazardBuilder scene("DividedPropsComeBackChanged");
-  scene.Scene.Culler.MinimumNumberOfPrimitives = 2;
-  const int first = scene.Sphere({ -2.0, 0.0, 0.0 }, 1.5).Id;
-  Prop& second = scene.Sphere({ 0.0, 0.0, 0.0 }, 1.0);
-  second.Position.x = 2.0;
-  second.MapperOf = first;
-  const int other = second.Id;
-  scene.Scene.Props[first].Flat = scene.Scene.Props[other].Flat = true;
-  scene.Sphere({ 2.0, 40.0, 0.0 }, 1.0);
-  scene.LookAtWall();
-  Walk(scene, 2);
+  const auto [first, other] = AddDividedSharers(scene);
   for (const double visible : { 0.0, 1.0 })
   {
     Walk(scene, 1);
