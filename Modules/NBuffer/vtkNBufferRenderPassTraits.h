@@ -58,8 +58,11 @@ public:
    * Whether this pass may draw the same opaque props twice in a frame: first to find out what is
    * visible, then for the image. Both framebuffers must have the same samples, and the second at
    * least as many bits of depth. The culler tests props in the first drawing and repeats the same
-   * draws in the second one, because what is hidden in the first is hidden in the second. If a pass
-   * draws twice without saying so, the second drawing has all props. Default: false.
+   * draws in the second one, because what is hidden in the first is hidden in the second. The
+   * first may leave out polygon offsets, which push surfaces away from the eye
+   * (vtkMapper::SetResolveCoincidentTopology(), visible edges): if any prop may have one, the
+   * culler tests what is hidden in the second drawing, too. If a pass draws twice without saying
+   * so, the second drawing has all props. Default: false.
    */
   virtual bool DrawsOpaquePropsTwice() const { return false; }
 

@@ -81,7 +81,7 @@ void MakeOdd(Writer& writer, Prop& prop)
       break;
     }
     case 18:
-      prop.OffsetUnits = writer.Any({ -4.0, 4.0, -2000.0 });
+      prop.OffsetUnits = writer.Any({ -4.0, 4.0, -2000.0, 2000.0 });
       prop.OffsetFactor = writer.Any({ 0.0, 0.01, 1.0 }) * prop.OffsetUnits;
       prop.Edges =
         prop.Id % 2 == 0; // They switch these offsets on, whatever the global setting is.

@@ -3,6 +3,7 @@
 
 // The culler with vtkShadowVolumeClampPass: hidden props are not drawn, and cast shadows.
 #include "CullerTest.h"
+#include "LargeProps.h"
 #include "LightRig.h"
 #include "ScenePasses.h"
 #include "Scenes.h"
@@ -12,6 +13,7 @@
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
@@ -240,4 +242,61 @@ TEST(CullerShadows, PassInASequenceAndInAPartOfTheWindow)
         TestScene::MakePass(TestScene::PassKind::ShadowVolumesInSequence, AddShadows(stage)));
     });
   Scenes::ExpectFramesOfWall(comparison, { 0.0, 0.2, 0.4, 0.6 }, Wall::Behind / 3 + 1);
+}
+
+namespace
+{
+constexpr double FarOffset = 3000.0; // Pushes the wall behind some of the boxes, but not all.
+
+/// The same sphere, opaque and translucent, behind the wall.
+void AddSpheresBehind(Stage& stage)
+{
+  for (const double x : { -2.0, 2.0 })
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(x, 0.0, -1.5);
+    sphere->SetThetaResolution(24);
+    sphere->SetPhiResolution(24);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetOpacity(x < 0.0 ? 1.0 : 0.5);
+    stage.Add(actor);
+  }
+}
+}
+
+// Hazard: the first drawing leaves out polygon offsets, so that volumes begin in the surfaces. In
+// the second one the wall is farther, and no longer hides what the first one has found hidden.
+TEST(CullerShadows, OffsetsUncoverProps)
+{
+  for (const bool divides : { false, true })
+  {
+    SCOPED_TRACE(divides ? "divided" : "whole");
+    ComparisonOptions options = divides ? LargeProps::MakeOptions() : ComparisonOptions();
+    options.CompareDraws = false;
+    vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+    Comparison comparison(
+      [](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        AddShadows(stage);
+        stage.GetActor(Wall::Index)
+          ->GetMapper()
+          ->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, FarOffset);
+        AddSpheresBehind(stage);
+        Scenes::SetWallCamera(stage.GetRenderer());
+      },
+      options);
+    for (int i = 0; i < 6; ++i)
+    {
+      Scenes::FrameOfWall(comparison, i < 3 ? 0.2 * i : 4.0 * i, "moved");
+      EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+      EXPECT_NE(comparison.GetVerdict(Wall::Count), Verdict::Hidden);
+      EXPECT_EQ(comparison.GetVerdict(Wall::Count + 1), Verdict::Translucent);
+      EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
+    }
+    vtkMapper::SetResolveCoincidentTopologyToDefault();
+  }
 }

@@ -286,8 +286,7 @@ void vtkNBufferDivision::TestTranslucent(const vtkNBufferDividedProp::Depth& dep
 {
   for (Entry& entry : this->Entries)
   {
-    const bool isPending = std::exchange(entry.IsPending, false);
-    if (!isPending || hasDrawn(entry.Place) ||
+    if (!entry.IsPending || hasDrawn(entry.Place) ||
       this->Props.GetState(entry.Place).Verdict != vtkNBufferVerdict::Translucent)
     {
       continue;
@@ -300,6 +299,14 @@ void vtkNBufferDivision::TestTranslucent(const vtkNBufferDividedProp::Depth& dep
     {
       hide(entry.Place);
     }
+  }
+}
+
+void vtkNBufferDivision::TestAgain()
+{
+  for (Entry& entry : this->Entries)
+  {
+    entry.Prop->TestAgain();
   }
 }
 

@@ -102,6 +102,10 @@ public:
   void TestTranslucent(const vtkNBufferDividedProp::Depth& depth,
     const std::function<bool(int)>& hasDrawn, const std::function<void(int)>& hide);
 
+  /// Let all units that have not been drawn be tested again, by a depth that is farther than the
+  /// one before.
+  void TestAgain();
+
   /// The places of the props that have been drawn and have fresh units, which are drawn next.
   std::vector<int> GetFresh() const;
 

@@ -4,6 +4,7 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDeferredProxy.h"
+#include "vtkNBufferDepthTest.h"
 #include "vtkNBufferDivision.h"
 #include "vtkNBufferPartition.h"
 
@@ -103,10 +104,24 @@ vtkNBufferPropProxy* vtkNBufferListMaker::FindProxy(int place) const
     [](const auto& proxy, int wanted) { return proxy->GetPlace() < wanted; });
 }
 
-void vtkNBufferListMaker::HideTranslucent(int place)
+void vtkNBufferListMaker::TestTranslucent(vtkNBufferDepthTest& test)
 {
-  this->FindProxy(place)->SetOpen(false);
-  this->Props.GetState(place).Verdict = vtkNBufferVerdict::Hidden;
+  const auto hasDrawn = [this](int i) { return this->FindProxy(i)->HasDrawn(); };
+  const auto hide = [this](int i)
+  {
+    this->FindProxy(i)->SetOpen(false);
+    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
+  };
+  std::vector<int> visible = this->Partition.GetTranslucent();
+  test.RemoveHidden(visible);
+  for (const int i : this->Partition.GetTranslucent())
+  {
+    if (!hasDrawn(i) && !std::binary_search(visible.begin(), visible.end(), i))
+    {
+      hide(i);
+    }
+  }
+  this->Division.TestTranslucent(test.GetDepthOfUnits(), hasDrawn, hide);
 }
 
 void vtkNBufferListMaker::ShowTranslucent()

@@ -22,6 +22,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
 class vtkNBufferDeferredProxy;
+class vtkNBufferDepthTest;
 class vtkNBufferDivision;
 class vtkNBufferPartition;
 
@@ -42,16 +43,12 @@ public:
   /// multipliers, as that function does. `isTestPending` says whether the proxy will test.
   double Fill(bool isTestPending, vtkProp** props, int& count, int& initialized);
 
-  /// Whether a translucent prop has been drawn in the translucent stage of this frame. `place` is
-  /// its index in the list of candidates; the prop must have a proxy.
-  bool HasDrawnTranslucent(int place) const { return this->FindProxy(place)->HasDrawn(); }
+  /// Test the translucent props, and the units of large ones, which have not been drawn yet in this
+  /// frame. Closes the proxies of those that are hidden, and sets their verdicts to Hidden.
+  void TestTranslucent(vtkNBufferDepthTest& test);
 
-  ///@{
-  /// Close the proxy of such a prop and set its verdict to Hidden, or open the proxies of all of
-  /// them and set their verdicts to Translucent.
-  void HideTranslucent(int place);
+  /// Open the proxies of all translucent props, and set their verdicts to Translucent.
   void ShowTranslucent();
-  ///@}
 
 private:
   /// Let the next unused proxy represent a prop in this frame.

@@ -209,6 +209,20 @@ std::vector<int> vtkNBufferPartition::GetNotDrawn() const
   return places;
 }
 
+std::vector<int> vtkNBufferPartition::TestAgain()
+{
+  std::vector<int> notDrawn = this->GetNotDrawn();
+  for (const std::vector<int>* places : { &notDrawn, &this->Translucent })
+  {
+    for (int i : *places)
+    {
+      this->Props.GetScreen(i); // Nodes above it are not tested again.
+      this->Props.GetState(i).Clearance = 0.0F;
+    }
+  }
+  return notDrawn;
+}
+
 int vtkNBufferPartition::RemoveDrawn(const std::vector<int>& drawn, std::vector<int>& visible)
 {
   auto next = visible.begin();

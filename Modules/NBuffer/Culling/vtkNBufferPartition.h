@@ -91,6 +91,10 @@ public:
   /// Get those of the props held back that have not been drawn in this frame so far.
   std::vector<int> GetNotDrawn() const;
 
+  /// Get the same props, after forgetting what tests have found out of them and of the translucent
+  /// props, so that they can be tested by a depth that is farther than the one before.
+  std::vector<int> TestAgain();
+
   /// `drawn` are props that were drawn before a test, and `visible` begins with those of them, in
   /// their order, that it has found visible. Store for the next frame which of them are visible and
   /// which are hidden, and remove them from `visible`. Returns the number of the hidden ones.

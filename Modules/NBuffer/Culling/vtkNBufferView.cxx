@@ -52,6 +52,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Statistics.Props = count;
   this->Partition.Clear();
   this->Draws.Clear();
+  this->HiddenButDrawn = 0;
 
   vtkNBufferClock part;
   this->Props.SetHierarchySize(this->Settings.HierarchySize);
@@ -198,7 +199,6 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   // The device begins to draw the kept props now, and not when their depth is read.
   glFlush();
   this->Tested = source;
-  this->HiddenButDrawn = 0;
   int drawn = 0;
   vtkNBufferDepthTest test(
     *this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
@@ -235,9 +235,16 @@ bool vtkNBufferView::PrepareRepeat(vtkRenderer* renderer)
 
 int vtkNBufferView::Repeat(vtkRenderer* renderer)
 {
-  // The statistics count only the draws of the first time.
-  const vtkNBufferClock clock;
+  // The statistics do not count what is drawn as it was before.
+  vtkNBufferClock clock;
   const int drawn = this->Draws.Repeat(renderer, this->Partition.GetHeldBack());
+  this->Statistics.DrawTime += clock.Restart();
+  if (this->Props.GetTraits().DepthOffset)
+  {
+    // The depth is farther now where the first drawing has left out an offset.
+    this->Settings.Shared = nullptr; // Ranks share the depth of one drawing.
+    return drawn + this->TestAndDraw(renderer);
+  }
   this->Draws.RestoreTieOrder(renderer, this->Partition, true, this->Tested.Samples, nullptr);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
@@ -266,27 +273,14 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
   return vtkNBufferDecision::None;
 }
 
-void vtkNBufferView::TestTranslucent(vtkNBufferDepthTest& test)
-{
-  const auto hasDrawn = [this](int i) { return this->List.HasDrawnTranslucent(i); };
-  const auto hide = [this](int i) { this->List.HideTranslucent(i); };
-  std::vector<int> visible = this->Partition.GetTranslucent();
-  test.RemoveHidden(visible);
-  for (const int i : this->Partition.GetTranslucent())
-  {
-    if (!hasDrawn(i) && !std::binary_search(visible.begin(), visible.end(), i))
-    {
-      hide(i);
-    }
-  }
-  this->Division.TestTranslucent(test.GetDepthOfUnits(), hasDrawn, hide);
-}
-
 bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test, int& drawn)
 {
-  int round = 1;
-  std::vector<int> left = this->Partition.GetHeldBack();
-  std::vector<int> untested = this->Partition.GetKept(); // but drawn
+  const bool isRepeated = this->Statistics.Rounds > 0; // Repeat() has drawn what was drawn before.
+  int round = this->Statistics.Rounds + 1;
+  std::vector<int> left =
+    isRepeated ? this->Partition.TestAgain() : std::vector<int>(this->Partition.GetHeldBack());
+  std::vector<int> untested = // but drawn
+    isRepeated ? std::vector<int>() : std::vector<int>(this->Partition.GetKept());
   const auto draw = [&](std::vector<int> props)
   {
     // Among ranks they are not tested and count as visible in the next frame, in which IsNew()
@@ -297,13 +291,18 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     props.insert(props.end(), fresh.begin(), fresh.end());
     drawn += this->DrawRound(renderer, std::move(props), round++);
   };
-  if (this->Division.GetPostponed() >= 0)
+  if (isRepeated)
+  {
+    this->List.ShowTranslucent();
+    this->Division.TestAgain();
+  }
+  else if (this->Division.GetPostponed() >= 0)
   {
     drawn += this->Draws.Draw(
       renderer, this->Division.GetPostponed(), 1, this->Proxy->GetAllocatedRenderTime());
   }
   const auto limit = vtkNBufferPartition::GetLimit(this->Settings.RoundSize, left.size());
-  const bool isNew = this->Partition.IsNew();
+  const bool isNew = !isRepeated && this->Partition.IsNew();
   this->Division.Count(this->Statistics);
   test.SetCounts(this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside,
     isNew ? static_cast<int>(left.size()) : 0);
@@ -359,7 +358,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     {
       if (vtkNBufferCompatibility::KeepsOpaqueDepth(renderer))
       {
-        this->TestTranslucent(test);
+        this->List.TestTranslucent(test);
       }
       draw(std::move(visible));
       return true;

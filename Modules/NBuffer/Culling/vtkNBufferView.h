@@ -116,7 +116,6 @@ private:
   int TestAndDraw(vtkRenderer* renderer);
   bool DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test, int& drawn);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
-  void TestTranslucent(vtkNBufferDepthTest& test);
   /// PrepareTest() for a pass that draws its list a second time in this frame. Returns whether the
   /// draws of the first time can be repeated.
   bool PrepareRepeat(vtkRenderer* renderer);

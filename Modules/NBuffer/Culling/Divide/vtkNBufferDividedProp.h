@@ -106,8 +106,9 @@ public:
   bool IsBegun() const { return this->IsDrawn; }
 
   /// Whether all units have been tested after that draw. No further test is needed then, because
-  /// what a test has found hidden stays hidden in this frame.
+  /// what a test has found hidden stays hidden in this frame, unless TestAgain() says otherwise.
   bool IsSettled() const { return this->Settled; }
+  void TestAgain() { this->Settled = false; }
 
   /// Whether the last test has left visible units to another one.
   bool HasPostponed() const { return this->Postponed; }
