@@ -310,6 +310,24 @@ TEST_F(NBufferSurface, PlanesKeepTheSideOfTheirNormal)
   const auto planes = vtkNBufferSurface::GetClippingPlanes(this->Mapper);
   ASSERT_EQ(planes.size(), 1u);
   EXPECT_EQ(planes[0], (vtkNBufferSurface::Plane{ 0.0, 1.0, 0.0, -2.0 }));
+  for (int i = 1; i < 8; ++i)
+  {
+    this->Mapper->AddClippingPlane(vtkNew<vtkPlane>());
+  }
+  EXPECT_EQ(vtkNBufferSurface::GetClippingPlanes(this->Mapper).size(), 6u);
+}
+
+// Hazard: a source is updated, but not for the piece that the mapper shows.
+TEST_F(NBufferSurface, PipelinesMakeThePieceOfTheMapper)
+{
+  vtkNew<vtkSphereSource> source;
+  this->Mapper->SetInputConnection(source->GetOutputPort());
+  vtkNBufferSurface::UpdatePipeline(this->Actor);
+  const vtkIdType all = this->Mapper->GetInput()->GetNumberOfPolys();
+  this->Mapper->SetNumberOfPieces(4);
+  this->Mapper->SetPiece(1);
+  vtkNBufferSurface::UpdatePipeline(this->Actor);
+  EXPECT_EQ(this->Mapper->GetInput()->GetNumberOfPolys(), all / 4);
 }
 
 TEST_F(NBufferSurface, WideLinesAndPointsHaveAMargin)

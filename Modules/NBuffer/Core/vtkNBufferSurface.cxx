@@ -42,8 +42,10 @@ namespace
 {
 using CompositeMapper = VTKNBUFFER_COMPOSITE_MAPPER;
 
-void UpdateProducer(vtkAlgorithm* algorithm)
+/// The filters and sources that make the inputs of a mapper or texture.
+std::vector<vtkAlgorithm*> GetProducers(vtkAlgorithm* algorithm)
 {
+  std::vector<vtkAlgorithm*> producers;
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
@@ -51,10 +53,11 @@ void UpdateProducer(vtkAlgorithm* algorithm)
       vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, i);
       if (producer && typeid(*producer) != typeid(vtkTrivialProducer))
       {
-        producer->Update();
+        producers.push_back(producer);
       }
     }
   }
+  return producers;
 }
 
 bool HasLineCells(vtkDataSet* data)
@@ -194,13 +197,17 @@ std::vector<vtkTexture*> vtkNBufferSurface::GetTextures(vtkActor* actor)
 
 void vtkNBufferSurface::UpdatePipeline(vtkActor* actor)
 {
-  if (vtkMapper* mapper = actor->GetMapper(); mapper && !mapper->GetStatic())
+  vtkMapper* mapper = actor->GetMapper();
+  if (mapper && !mapper->GetStatic() && !GetProducers(mapper).empty())
   {
-    UpdateProducer(mapper);
+    mapper->Update(); // This requests the piece that the mapper shows.
   }
   for (vtkTexture* texture : GetTextures(actor))
   {
-    UpdateProducer(texture);
+    for (vtkAlgorithm* producer : GetProducers(texture))
+    {
+      producer->Update();
+    }
   }
 }
 
@@ -280,9 +287,10 @@ vtkBoundingBox vtkNBufferSurface::GetBoundsOfPoints(vtkMapper* mapper, bool visi
 
 std::vector<vtkNBufferSurface::Plane> vtkNBufferSurface::GetClippingPlanes(vtkMapper* mapper)
 {
+  constexpr int mostPlanes = 6; // of which VTK's shaders know
   std::vector<Plane> result;
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  for (int i = 0; planes && i < std::min(planes->GetNumberOfItems(), mostPlanes); ++i)
   {
     vtkPlane* plane = planes->GetItem(i);
     const double* normal = plane->GetNormal();

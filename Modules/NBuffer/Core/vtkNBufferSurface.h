@@ -113,7 +113,7 @@ public:
   static bool HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints);
 
   /// A clipping plane a x + b y + c z + d >= 0 in world coordinates: it keeps the side to which its
-  /// normal (a, b, c) points.
+  /// normal (a, b, c) points. Of more than six planes of a mapper VTK uses the first six.
   using Plane = std::array<double, 4>;
   static std::vector<Plane> GetClippingPlanes(vtkMapper* mapper);
 
