@@ -187,4 +187,27 @@ TEST_F(UnitsThatAreKept, FifteenTestsLongerIfTheyCameBackAtOnce)
   }
   EXPECT_FALSE(this->Draw(true));
 }
+
+// Hazard: a trial of ranks counts other units as hidden than the test finds.
+using UnitsThatAreHidden = UnitsThatAreKept;
+
+TEST_F(UnitsThatAreHidden, AreCountedByTheSamplesOfTheWindow)
+{
+  // The triangles reach from row 8 to row 24, and their borders, without the middle of any pixel,
+  // into the rows beside them, which nothing hides.
+  std::vector<float> depth(Size * Size, 1.0F);
+  std::fill(depth.begin() + 8 * Size, depth.begin() + 24 * Size, 0.25F);
+  vtkNBufferLevels levels;
+  levels.BuildBase(depth.data(), Size, Size, 1, vtkNBufferExtremum::Maximum);
+  levels.BuildLevels(5);
+  for (const bool isSingle : { true, false })
+  {
+    const vtkNBufferUnitCulling::Depth compared = { levels, nullptr, isSingle ? 0.0 : 0.5 };
+    const int hidden = this->Culling.CountHidden(this->Projection, compared);
+    EXPECT_EQ(hidden, isSingle ? 4 : 0);
+    this->Culling.FindKept(this->Projection);
+    this->Culling.ClearDrawn();
+    EXPECT_EQ(this->Culling.Test(this->Projection, compared), 4 - hidden);
+  }
+}
 }

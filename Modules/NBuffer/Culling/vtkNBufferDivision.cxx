@@ -207,12 +207,12 @@ bool vtkNBufferDivision::HasKeptInVain() const
     { return entry.IsActive && entry.Prop->GetCulling().CountKeptInVain() > 0; });
 }
 
-int vtkNBufferDivision::CountHidden(const vtkNBufferLevels& levels) const
+int vtkNBufferDivision::CountHidden(const vtkNBufferDividedProp::Depth& depth) const
 {
   return std::accumulate(this->Entries.begin(), this->Entries.end(), 0,
-    [&levels](int count, const Entry& entry)
+    [&depth](int count, const Entry& entry)
     {
-      return entry.IsActive ? count + entry.Prop->GetCulling().CountHidden(entry.Projection, levels)
+      return entry.IsActive ? count + entry.Prop->GetCulling().CountHidden(entry.Projection, depth)
                             : count;
     });
 }

@@ -70,7 +70,7 @@ public:
   bool HoldsUnits() const;
 
   /// How many units of opaque props the levels hide.
-  int CountHidden(const vtkNBufferLevels& levels) const;
+  int CountHidden(const vtkNBufferDividedProp::Depth& depth) const;
 
   /// Call SetOutside() for props that have no unit in the frustum.
   void MarkOutside(vtkNBufferPartition& partition);

@@ -317,7 +317,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     std::string why;
     const vtkNBufferDecision failure = test.Build(
       renderer, this->Tested, { &untested, &left, &this->Partition.GetTranslucent() }, levels,
-      [this]() { return this->Division.CountHidden(this->Levels); }, why);
+      [&]() { return this->Division.CountHidden(test.GetDepthOfUnits()); }, why);
     if (failure != vtkNBufferDecision::None)
     {
       this->Fail(renderer, failure, why);

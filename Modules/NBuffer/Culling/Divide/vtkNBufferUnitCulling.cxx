@@ -356,15 +356,14 @@ bool vtkNBufferUnitCulling::AreRight(const vtkNBufferUnitAnswers& answers,
 }
 
 int vtkNBufferUnitCulling::CountHidden(
-  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels) const
+  const vtkNBufferProjection& projection, const Depth& depth) const
 {
-  vtkNBufferOcclusionTest test(levels);
+  Tests tests = { projection, vtkNBufferOcclusionTest(depth.Levels, depth.SampleDistance), {} };
   int count = 0;
   for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
   {
-    vtkNBufferScreenBox screen;
     count +=
-      !(this->Marks[i] & Outside) && this->Project(projection, i, screen) && test.IsHidden(screen);
+      !(this->Marks[i] & Outside) && this->TestBox(0, i, tests) == vtkNBufferUnitAnswers::Hidden;
   }
   return count;
 }

@@ -91,7 +91,7 @@ public:
     const Depth& depth) const;
 
   /// How many units in the frustum are behind what the levels hold. Changes nothing.
-  int CountHidden(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels) const;
+  int CountHidden(const vtkNBufferProjection& projection, const Depth& depth) const;
 
   /// Let the fresh units count as drawn.
   void AddFreshToDrawn();
