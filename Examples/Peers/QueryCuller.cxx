@@ -22,6 +22,7 @@ namespace NBufferPeers
 vtkStandardNewMacro(QueryCuller);
 
 QueryCuller::QueryCuller()
+  : Props(this->Projection)
 {
   this->Stage->Function = [this](vtkRenderer* renderer) { return this->DrawProps(renderer); };
 }
@@ -69,7 +70,7 @@ bool QueryCuller::SetView(vtkRenderer* renderer)
     return false;
   }
   SetFrameProjection(renderer, source, this->Projection);
-  this->Props.Project(this->Projection);
+  this->Props.Project();
   this->Samples = source.Samples;
   return this->Queries.Begin(window, this->Target, this->Error);
 }

@@ -99,9 +99,9 @@ private:
   QueryStatistics Statistics;
   std::string Error;
   vtkNew<DrawStage> Stage;
+  vtkNBufferProjection Projection;
   vtkNBufferCandidateList Props;
   std::vector<int> Candidates; ///< Places in Props of those that are left to the stage.
-  vtkNBufferProjection Projection;
   BoxQueries Queries;
   CoherentQueries Tree;
   bool TreeIsOld = true;

@@ -43,14 +43,15 @@ bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
   return true;
 }
 
-int vtkNBufferCandidateList::Refresh()
+int vtkNBufferCandidateList::Refresh(int hierarchySize, int observeAfter)
 {
   const vtkNBufferPropWatch::GlobalState state = vtkNBufferPropWatch::GetGlobalState();
   const bool all = state != this->GlobalState;
   this->GlobalState = state;
   this->Tree.BeginFrame();
   this->Meshes.BeginFrame(this->MeshesOfProps);
-  if (!this->UsesTree())
+  this->UsesTree = this->GetSize() >= hierarchySize;
+  if (!this->UsesTree)
   {
     this->Tree.ListHasChanged();
   }
@@ -70,7 +71,7 @@ int vtkNBufferCandidateList::Refresh()
   }
   this->SharedChanged = std::any_of(this->Changed.begin(), this->Changed.end(),
     [this](int i) { return this->OtherShaders.count(GetMapper(this->Candidates[i].GetUses())); });
-  this->ObserveSome();
+  this->ObserveSome(observeAfter);
   return static_cast<int>(this->Changed.size());
 }
 
@@ -114,14 +115,14 @@ void vtkNBufferCandidateList::FindStale(bool globalStateChanged)
   }
 }
 
-void vtkNBufferCandidateList::ObserveSome()
+void vtkNBufferCandidateList::ObserveSome(int frames)
 {
-  if (this->ObserveAfter == 0)
+  if (frames == 0)
   {
     return;
   }
   const std::size_t size = this->Candidates.GetSize();
-  if (++this->FramesOfTurn > this->ObserveAfter && this->NextOfTurn >= size)
+  if (++this->FramesOfTurn > frames && this->NextOfTurn >= size)
   {
     this->FramesOfTurn = 0;
     this->NextOfTurn = 0;
@@ -258,16 +259,16 @@ void vtkNBufferCandidateList::FindSharedState()
       [&mappersOfParts](const vtkMapper* mapper) { return mappersOfParts.count(mapper); });
 }
 
-void vtkNBufferCandidateList::ProjectOne(int i, const vtkNBufferProjection& projection)
+void vtkNBufferCandidateList::ProjectOne(int i)
 {
   const vtkNBufferCandidate& candidate = this->Candidates[i];
   if (candidate.HasPlacement())
   {
-    this->States[i].Placement = projection.Place(candidate.GetBox(), this->Screens[i]);
+    this->States[i].Placement = this->Projection.Place(candidate.GetBox(), this->Screens[i]);
   }
 }
 
-void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
+void vtkNBufferCandidateList::Project()
 {
   for (vtkNBufferState& state : this->States)
   {
@@ -276,23 +277,23 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
     state.RectangleIsStale = false;
     state.Clearance = 0.0F;
   }
-  if (!this->UsesTree() || !this->Tree.Update(this->Candidates.GetItems()))
+  if (!this->UsesTree || !this->Tree.Update(this->Candidates.GetItems()))
   {
-    vtkNBufferForEachProp::RunEach(this->Candidates.GetSize(),
-      [this, &projection](vtkIdType i) { this->ProjectOne(static_cast<int>(i), projection); });
+    vtkNBufferForEachProp::RunEach(
+      this->Candidates.GetSize(), [this](vtkIdType i) { this->ProjectOne(static_cast<int>(i)); });
     return;
   }
   this->Reached.clear();
-  this->Tree.FindPlacements(projection, this->Candidates.GetItems(), this->States, this->Reached);
-  vtkNBufferForEachProp::RunEach(this->Reached.size(),
-    [this, &projection](vtkIdType n) { this->ProjectOne(this->Reached[n], projection); });
+  this->Tree.FindPlacements(this->Candidates.GetItems(), this->States, this->Reached);
+  vtkNBufferForEachProp::RunEach(
+    this->Reached.size(), [this](vtkIdType n) { this->ProjectOne(this->Reached[n]); });
 }
 
 void vtkNBufferCandidateList::ProjectDeferred(int i)
 {
   vtkNBufferState& state = this->States[i];
   state.RectangleIsStale = false;
-  state.Placement = this->Tree.GetProjection().Project(this->GetBox(i), this->Screens[i]);
+  state.Placement = this->Projection.Project(this->GetBox(i), this->Screens[i]);
 }
 
 void vtkNBufferCandidateList::KeepIfNoneIsInside()

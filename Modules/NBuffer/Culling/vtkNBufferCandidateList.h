@@ -30,11 +30,12 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferCandidateList
 {
 public:
-  /// Use a hierarchy for lists of at least this many props, see vtkNBufferTuning::HierarchySize.
-  void SetHierarchySize(int size) { this->HierarchySize = size; }
-
-  /// Observe props that have not changed for this many frames, see vtkNBufferTuning::ObserveAfter.
-  void SetObserveAfter(int frames) { this->ObserveAfter = frames; }
+  /// The projection of the view is kept by reference and must outlive this object.
+  explicit vtkNBufferCandidateList(const vtkNBufferProjection& projection)
+    : Projection(projection)
+    , Tree(projection)
+  {
+  }
 
   /// Follow the renderer's list of props. Returns whether it differs from the last one.
   bool Synchronize(vtkProp** props, int count);
@@ -43,18 +44,17 @@ public:
   int GetListNumber() const { return this->ListNumber; }
 
   /// Bring the caches up to date. Returns the number of props that have changed. Project() has to
-  /// be called before the next test if any prop has changed.
-  int Refresh();
+  /// be called before the next test if any prop has changed. The arguments are HierarchySize and
+  /// ObserveAfter of vtkNBufferTuning.
+  int Refresh(int hierarchySize = VTK_INT_MAX, int observeAfter = 0);
 
   /// The places of the props that the last Refresh() has found changed, in ascending order.
   const std::vector<int>& GetChanged() const { return this->Changed; }
 
-  /**
-   * Find the placement of every candidate and translucent prop in the view: outside, crossing, or
-   * inside with its rectangle and depth interval. The projection is kept by reference until the
-   * next call, to compute deferred rectangles.
-   */
-  void Project(const vtkNBufferProjection& projection);
+  /// Find the placement of every candidate and translucent prop in the view: outside, crossing, or
+  /// inside with its rectangle and depth interval.
+  void Project();
+  const vtkNBufferProjection& GetProjection() const { return this->Projection; }
 
   /// The number of levels that MarkHidden() needs, at least 1. `factor` is the side of a texel of
   /// level 0 in pixels.
@@ -141,7 +141,7 @@ public:
   int Find(vtkProp* prop) const { return this->Candidates.Find(prop); }
 
 private:
-  void ProjectOne(int i, const vtkNBufferProjection& projection);
+  void ProjectOne(int i);
   void ProjectDeferred(int i);
   /// Find the props that have to be read again: all if vtkNBufferPropWatch::GetGlobalState() has
   /// changed, otherwise those with a newer time. Only compares times.
@@ -152,9 +152,10 @@ private:
   /// Find out for each candidate whether another prop uses one of its objects in another way.
   void FindSharedState();
   /// Visit the next few props in turn, and observe those that have not changed since the last one.
-  void ObserveSome();
-  bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
+  /// A turn takes at least `frames` frames. With 0 frames nothing is observed.
+  void ObserveSome(int frames);
 
+  const vtkNBufferProjection& Projection;
   vtkNBufferPropList<vtkNBufferCandidate> Candidates;
   std::vector<vtkNBufferScreenBox> Screens;
   std::vector<vtkNBufferState> States;
@@ -163,6 +164,7 @@ private:
   std::vector<int> Stale;   ///< The places of the props that RefreshStale() has to read.
   std::vector<int> Changed; ///< The places of those that have changed.
   vtkNBufferCandidateTree Tree;
+  bool UsesTree = false; ///< Whether the list is long enough for it.
   vtkNBufferMeshes Meshes;
   std::vector<vtkNBufferMeshes::OfProp> MeshesOfProps; ///< One element for each prop.
   vtkNBufferFaces Faces;
@@ -173,8 +175,6 @@ private:
   vtkNBufferObservedObjects Observed;
   /// A deleted actor counts as changed, because another prop may have been made at its address.
   vtkNBufferObservedObjects ObservedActors;
-  int HierarchySize = VTK_INT_MAX;
-  int ObserveAfter = 0;
   int FramesOfTurn = 0;       ///< Frames since the current turn of ObserveSome() began.
   std::size_t NextOfTurn = 0; ///< The place of the prop that the turn visits next.
   vtkNBufferPropWatch::GlobalState GlobalState{};

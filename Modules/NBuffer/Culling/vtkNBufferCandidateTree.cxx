@@ -99,23 +99,21 @@ void vtkNBufferCandidateTree::Build(const std::vector<vtkNBufferCandidate>& cand
   ++this->Done.Builds;
 }
 
-void vtkNBufferCandidateTree::FindPlacements(const vtkNBufferProjection& projection,
-  const std::vector<vtkNBufferCandidate>& candidates, std::vector<vtkNBufferState>& states,
-  std::vector<int>& places)
+void vtkNBufferCandidateTree::FindPlacements(const std::vector<vtkNBufferCandidate>& candidates,
+  std::vector<vtkNBufferState>& states, std::vector<int>& places)
 {
   this->Roots.clear();
-  this->Projection = &projection;
   const auto visit = [&](const vtkNBufferHierarchy::Node& node)
   {
     ++this->Done.Nodes;
     vtkNBufferScreenBox screen;
-    const vtkNBufferPlacement placement = projection.Place(node.Box, screen);
+    const vtkNBufferPlacement placement = this->Projection.Place(node.Box, screen);
     if (placement == vtkNBufferPlacement::Outside)
     {
       return false;
     }
     const bool within =
-      placement == vtkNBufferPlacement::Inside && projection.IsWhollyInside(screen);
+      placement == vtkNBufferPlacement::Inside && this->Projection.IsWhollyInside(screen);
     if (!within && node.Left >= 0)
     {
       return true;
@@ -154,7 +152,7 @@ int vtkNBufferCandidateTree::GetLevelsNeeded(int factor) const
   for (int root : this->Roots)
   {
     vtkNBufferScreenBox screen;
-    if (this->Projection->Project(this->Tree.GetNodes()[root].Box, screen) ==
+    if (this->Projection.Project(this->Tree.GetNodes()[root].Box, screen) ==
       vtkNBufferPlacement::Inside)
     {
       levels = std::max(levels, vtkNBufferOcclusionTest::GetLevelsNeeded(screen.Pixels, factor));
@@ -182,8 +180,7 @@ void vtkNBufferCandidateTree::MarkHidden(
     }
     ++this->Done.Nodes;
     vtkNBufferScreenBox screen;
-    const bool isInside =
-      this->Projection->Project(node.Box, screen) == vtkNBufferPlacement::Inside;
+    const bool isInside = this->Projection.Project(node.Box, screen) == vtkNBufferPlacement::Inside;
     const auto clearance = static_cast<float>(isInside ? test.GetClearance(screen) : 0.0);
     if (!(clearance > 0.0F))
     {

@@ -57,6 +57,12 @@ public:
   static constexpr int FramesBetweenBuilds = 64;
   ///@}
 
+  /// The projection is kept by reference and must outlive this object.
+  explicit vtkNBufferCandidateTree(const vtkNBufferProjection& projection)
+    : Projection(projection)
+  {
+  }
+
   /// The work since BeginFrame().
   struct Work
   {
@@ -81,12 +87,10 @@ public:
   /**
    * Find the placements of the candidates and translucent props, all of which must be Outside in
    * `states`. Appends to `places`, each once, the places of the props that the caller must project
-   * one by one. The others stay Outside, or are Inside and deferred. The projection is kept by
-   * reference until the next call.
+   * one by one. The others stay Outside, or are Inside and deferred.
    */
-  void FindPlacements(const vtkNBufferProjection& projection,
-    const std::vector<vtkNBufferCandidate>& candidates, std::vector<vtkNBufferState>& states,
-    std::vector<int>& places);
+  void FindPlacements(const std::vector<vtkNBufferCandidate>& candidates,
+    std::vector<vtkNBufferState>& states, std::vector<int>& places);
 
   /// The number of levels that MarkHidden() needs, at least 1. `factor` is that of
   /// vtkNBufferOcclusionTest::GetLevelsNeeded().
@@ -95,10 +99,6 @@ public:
   /// Set the Clearance of the deferred props below hidden nodes. Only the first call in a frame
   /// does this: what is hidden stays hidden, because depth only gets nearer while a frame is drawn.
   void MarkHidden(vtkNBufferOcclusionTest& test, std::vector<vtkNBufferState>& states);
-
-  /// The projection that was given to the last FindPlacements(), with which deferred props are
-  /// projected.
-  const vtkNBufferProjection& GetProjection() const { return *this->Projection; }
 
 private:
   void Build(const std::vector<vtkNBufferCandidate>& candidates);
@@ -111,7 +111,7 @@ private:
   std::vector<unsigned char> IsChanged; ///< For each place, whether it is in Changed.
   std::vector<int> Loose;               ///< Places of props that are not in the tree, sorted.
   std::vector<int> Roots;               ///< The nodes wholly inside that have deferred props.
-  const vtkNBufferProjection* Projection = nullptr;
+  const vtkNBufferProjection& Projection;
   Work Done;
   bool Built = false;
   bool ListChanged = false;

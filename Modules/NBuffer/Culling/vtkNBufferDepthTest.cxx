@@ -65,18 +65,6 @@ double vtkNBufferSettings::GetStep(const vtkNBufferDepthSource& source) const
   return std::max(source.GetStep(), this->Shared ? this->Shared->GetStep() : 0.0);
 }
 
-vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
-  const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
-  vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings)
-  : Backend(backend)
-  , Levels(levels)
-  , Projection(projection)
-  , Props(props)
-  , Statistics(statistics)
-  , Settings(settings)
-{
-}
-
 void vtkNBufferDepthTest::FindDrawnRows(vtkRenderer* renderer)
 {
   const int height = this->Source.Viewport[3];
@@ -224,7 +212,7 @@ bool vtkNBufferDepthTest::MayBeInFront(
   const vtkNBufferFaceTest& faceTest, const vtkNBufferFaces::Piece& piece)
 {
   vtkNBufferScreenBox screen;
-  const vtkNBufferPlacement placement = this->Projection.Project(piece.GetBox(), screen);
+  const vtkNBufferPlacement placement = this->Props.GetProjection().Project(piece.GetBox(), screen);
   if (placement != vtkNBufferPlacement::Inside)
   {
     return placement == vtkNBufferPlacement::Crossing;
@@ -277,9 +265,9 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
     return;
   }
   const vtkNBufferClock clock;
-  const vtkNBufferFaceTest faceTest(this->Projection, this->Source.Places);
+  const vtkNBufferFaceTest faceTest(this->Props.GetProjection(), this->Source.Places);
   const vtkNBufferSliverTest sliverTest(
-    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->Source.Places);
+    this->Props.GetProjection(), this->Levels, this->GetDepthOfUnits().Pixels, this->Source.Places);
   std::vector<Slivers> slivers(tested.size(), Slivers::Hidden);
   auto left = places.begin();
   for (std::size_t n = 0; n < tested.size() && left != places.end(); ++n)
@@ -350,7 +338,7 @@ bool vtkNBufferDepthTest::IsHidden(const vtkNBufferContact& contact)
   }
   const float* depth = this->GetDepthOfUnits().Pixels;
   return depth &&
-    vtkNBufferPixelTest(this->Projection, this->Levels, depth, this->SampleDistance)
+    vtkNBufferPixelTest(this->Props.GetProjection(), this->Levels, depth, this->SampleDistance)
       .IsHidden(contact.Box, contact.Screen);
 }
 
@@ -393,7 +381,8 @@ void vtkNBufferDepthTest::RemoveBehindPixels(std::vector<int>& places, const flo
   const bool triangles = this->Settings.TestTriangles;
   const auto test = [&](std::size_t begin, std::size_t end)
   {
-    vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth, this->SampleDistance);
+    vtkNBufferPixelTest pixelTest(
+      this->Props.GetProjection(), this->Levels, depth, this->SampleDistance);
     for (std::size_t n = begin; n < end; ++n)
     {
       const int i = places[n];

@@ -26,7 +26,6 @@
 #include "vtkNBufferDividedProp.h"
 #include "vtkNBufferFaceTest.h"
 #include "vtkNBufferLevels.h"
-#include "vtkNBufferProjection.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferStatistics.h"
 #include "vtkNBufferTuning.h"
@@ -72,8 +71,15 @@ class vtkNBufferDepthTest
 public:
   /// All arguments are kept by reference and must outlive the test.
   vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
-    const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
-    vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings);
+    vtkNBufferCandidateList& props, vtkNBufferStatistics& statistics,
+    const vtkNBufferSettings& settings)
+    : Backend(backend)
+    , Levels(levels)
+    , Props(props)
+    , Statistics(statistics)
+    , Settings(settings)
+  {
+  }
 
   /**
    * Build the levels that the candidates in all lists of `places` need, and at least `levels` of
@@ -142,7 +148,6 @@ private:
 
   vtkNBufferBackend& Backend;
   vtkNBufferLevels& Levels;
-  const vtkNBufferProjection& Projection;
   vtkNBufferCandidateList& Props;
   vtkNBufferStatistics& Statistics;
   const vtkNBufferSettings& Settings;

@@ -18,17 +18,6 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-
-vtkNBufferLateDraws::vtkNBufferLateDraws(vtkNBufferCandidateList& props,
-  vtkNBufferDivision& division, const vtkNBufferProjection& projection,
-  vtkNBufferDeferredProxy* proxy)
-  : Props(props)
-  , Division(division)
-  , Projection(projection)
-  , Proxy(proxy)
-{
-}
-
 int vtkNBufferLateDraws::DrawWhole(vtkRenderer* renderer, int place)
 {
   vtkProp* prop = this->Props.GetProp(place);
@@ -60,7 +49,8 @@ void vtkNBufferLateDraws::DescribeNext(
     const bool isCandidate = this->Props.GetCandidate(whole.Index).IsCandidate();
     part.KeepsScissor = part.KeepsScissor || !isCandidate;
     units->SetPlace(group, !isCandidate, part.Box);
-    part.Bounded = this->Projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
+    part.Bounded =
+      this->Props.GetProjection().Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
     this->Drawn.push_back(part);
   }
 }
@@ -170,7 +160,7 @@ int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer,
   }
   int draws = 0;
   for (const vtkNBufferRedraw& redraw : vtkNBufferTieOrder::GetRedraws(
-         this->Projection, all, vtkNBufferGL::KeepsToScissor(samples), isHidden))
+         this->Props.GetProjection(), all, vtkNBufferGL::KeepsToScissor(samples), isHidden))
   {
     // Render passes have set their keys only on the props of the list: neither on those that were
     // held back nor on translucent props, which have a proxy in the list.

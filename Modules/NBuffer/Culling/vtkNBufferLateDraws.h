@@ -23,15 +23,19 @@ class vtkNBufferDepthTest;
 class vtkNBufferDividedProp;
 class vtkNBufferDivision;
 class vtkNBufferPartition;
-class vtkNBufferProjection;
 class vtkRenderer;
 
 class vtkNBufferLateDraws
 {
 public:
   /// The arguments are kept by reference and must outlive this object.
-  vtkNBufferLateDraws(vtkNBufferCandidateList& props, vtkNBufferDivision& division,
-    const vtkNBufferProjection& projection, vtkNBufferDeferredProxy* proxy);
+  vtkNBufferLateDraws(
+    vtkNBufferCandidateList& props, vtkNBufferDivision& division, vtkNBufferDeferredProxy* proxy)
+    : Props(props)
+    , Division(division)
+    , Proxy(proxy)
+  {
+  }
 
   /// Begin a frame without draws.
   void Clear()
@@ -85,7 +89,6 @@ private:
 
   vtkNBufferCandidateList& Props;
   vtkNBufferDivision& Division;
-  const vtkNBufferProjection& Projection;
   vtkNBufferDeferredProxy* Proxy;
   std::vector<vtkNBufferDrawnProp> Drawn;
   int TieQueries = 0;

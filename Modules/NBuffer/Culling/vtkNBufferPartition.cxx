@@ -5,7 +5,6 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferCoarseDepth.h"
 #include "vtkNBufferFirstDraws.h"
-#include "vtkNBufferProjection.h"
 
 #include <algorithm>
 #include <iterator>
@@ -21,8 +20,7 @@ void vtkNBufferPartition::Clear()
   this->IsAnyOutside = false;
 }
 
-vtkNBufferFrustumCounts vtkNBufferPartition::Classify(
-  int firstBlended, const vtkNBufferProjection& projection)
+vtkNBufferFrustumCounts vtkNBufferPartition::Classify(int firstBlended)
 {
   this->Clear();
   this->FirstBlended = firstBlended;
@@ -78,7 +76,7 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify(
         break;
     }
   }
-  const vtkNBufferEye eye(projection);
+  const vtkNBufferEye eye(this->Props.GetProjection());
   const auto fromElsewhere = std::count_if(this->Kept.begin(), this->Kept.end(),
     [&](int i) { return eye.SeesFromElsewhere(this->Props.GetBox(i).Center, this->Eye); });
   if (2 * static_cast<std::size_t>(fromElsewhere) > this->Kept.size())
@@ -144,20 +142,19 @@ void vtkNBufferPartition::KeepAll()
   this->Clear();
 }
 
-void vtkNBufferPartition::Project(const vtkNBufferProjection& projection)
+void vtkNBufferPartition::Project()
 {
   for (const std::vector<int>* places : { &this->Kept, &this->HeldBack, &this->Translucent })
   {
     for (int i : *places)
     {
       this->Props.GetState(i).Placement =
-        projection.Project(this->Props.GetBox(i), this->Props.GetScreen(i));
+        this->Props.GetProjection().Project(this->Props.GetBox(i), this->Props.GetScreen(i));
     }
   }
 }
 
-std::vector<int> vtkNBufferPartition::RemoveOccluders(
-  std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection)
+std::vector<int> vtkNBufferPartition::RemoveOccluders(std::vector<int>& places, std::size_t limit)
 {
   const auto getScreen = [this](int i) -> const vtkNBufferScreenBox&
   { return this->Props.GetScreen(i); };
@@ -173,6 +170,7 @@ std::vector<int> vtkNBufferPartition::RemoveOccluders(
   const std::size_t size = std::min(places.size(), std::max(limit, enough));
   const auto end = places.begin() + static_cast<std::ptrdiff_t>(size);
   std::nth_element(places.begin(), end, places.end(), isLarger);
+  const vtkNBufferProjection& projection = this->Props.GetProjection();
   vtkNBufferCoarseDepth depth(projection.GetWidth(), projection.GetHeight());
   std::for_each(
     places.begin(), end, [&](int i) { depth.Add(getScreen(i).Pixels, getScreen(i).Farthest); });

@@ -27,7 +27,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
-class vtkNBufferProjection;
 
 class vtkNBufferPartition
 {
@@ -46,7 +45,7 @@ public:
   /// in none of the lists. If most of the kept props are seen from elsewhere now, all that earlier
   /// tests have found out is forgotten, and no prop is kept. Returns the number of props of each
   /// kind.
-  vtkNBufferFrustumCounts Classify(int firstBlended, const vtkNBufferProjection& projection);
+  vtkNBufferFrustumCounts Classify(int firstBlended);
 
   /// The `firstBlended` of the last Classify().
   int GetFirstBlended() const { return this->FirstBlended; }
@@ -65,9 +64,9 @@ public:
   /// them.
   void KeepAll();
 
-  /// Compute the placements and rectangles of the props in the three lists again, with a projection
-  /// that has changed since Classify().
-  void Project(const vtkNBufferProjection& projection);
+  /// Compute the placements and rectangles of the props in the three lists again, after the
+  /// projection has changed.
+  void Project();
 
   /// How many props may be drawn before the first test, if `props` are held back: `roundSize` or,
   /// if that is more, one in 512. Each round tests all props that are left, so that it has to draw
@@ -81,8 +80,7 @@ public:
   /// those that are not behind others in a coarse depth image (vtkNBufferCoarseDepth.h) of the
   /// largest props on the screen, `limit` of them or 256. Remove them from `places` and return
   /// them. The choice need not be right: every prop that is not chosen is tested.
-  std::vector<int> RemoveOccluders(
-    std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection);
+  std::vector<int> RemoveOccluders(std::vector<int>& places, std::size_t limit);
 
   /// Whether the view is new: most of the props that the last test found visible have left the
   /// frustum, or most of those held back have not been tested since they came into it.

@@ -18,9 +18,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkNBufferView::vtkNBufferView(std::shared_ptr<vtkNBufferBackend> backend)
   : Backend(std::move(backend))
+  , Props(this->Projection)
   , Partition(this->Props)
   , Division(this->Props)
-  , Draws(this->Props, this->Division, this->Projection, this->Proxy)
+  , Draws(this->Props, this->Division, this->Proxy)
   , List(this->Props, this->Partition, this->Division, this->Proxy)
 {
   this->Proxy->SetOwner(this);
@@ -55,8 +56,6 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->HiddenButDrawn = 0;
 
   vtkNBufferClock part;
-  this->Props.SetHierarchySize(this->Settings.HierarchySize);
-  this->Props.SetObserveAfter(this->Settings.ObserveAfter);
   const bool listChanged = this->Props.Synchronize(props, count);
   const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
   const bool frozen = settings.Freeze && complete;
@@ -66,7 +65,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Setup.Key = key;
     this->Setup.Apply(this->Projection);
   }
-  this->Statistics.Refreshed = this->Props.Refresh();
+  this->Statistics.Refreshed = this->Props.Refresh(settings.HierarchySize, settings.ObserveAfter);
   this->Division.Update(renderer, this->Settings);
   this->Statistics.RefreshTime = part.Restart();
 
@@ -109,7 +108,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 
 void vtkNBufferView::Classify(vtkRenderer* renderer)
 {
-  this->Props.Project(this->Projection);
+  this->Props.Project();
   this->Division.SetView(this->Setup);
   this->Statistics.Decision = this->Divide(renderer);
   this->State = this->Statistics.Decision == vtkNBufferDecision::Culled ? Phase::AwaitingProxy
@@ -120,7 +119,7 @@ vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
 {
   const vtkNBufferCompatibility::DrawingSettings& drawing = this->Stillness.GetDrawing();
   const int firstBlended = this->Stillness.GetFirstBlended();
-  vtkNBufferFrustumCounts counts = this->Partition.Classify(firstBlended, this->Projection);
+  vtkNBufferFrustumCounts counts = this->Partition.Classify(firstBlended);
   counts.Blending = this->Props.HasBlending(drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
   this->BackOff =
@@ -201,7 +200,7 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   this->Tested = source;
   int drawn = 0;
   vtkNBufferDepthTest test(
-    *this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
+    *this->Backend, this->Levels, this->Props, this->Statistics, this->Settings);
   const bool tested = this->DrawRounds(renderer, test, drawn);
   this->DrawsInVain = this->HiddenButDrawn > 0 || this->Division.HasKeptInVain() ||
     (!this->Stillness.IsSame() && !this->Draws.Get().empty());
@@ -268,7 +267,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
   {
     this->Setup.Apply(this->Projection);
     this->Division.SetView(this->Setup);
-    this->Partition.Project(this->Projection);
+    this->Partition.Project();
   }
   return vtkNBufferDecision::None;
 }
@@ -308,7 +307,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     isNew ? static_cast<int>(left.size()) : 0);
   if (isNew)
   {
-    draw(this->Partition.RemoveOccluders(left, limit, this->Projection));
+    draw(this->Partition.RemoveOccluders(left, limit));
   }
   const int levels = this->Division.GetLevelsNeeded(
     this->Projection.GetWidth(), this->Projection.GetHeight(), this->Settings.BaseFactor);
@@ -353,7 +352,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
     // Another round is worth its read-back if many props may be hidden by others.
     std::vector<int> visible = isLast || left.size() <= 2 * limit
       ? std::exchange(left, {})
-      : this->Partition.RemoveOccluders(left, left.size(), this->Projection);
+      : this->Partition.RemoveOccluders(left, left.size());
     if (left.empty() && areAllUnits)
     {
       if (vtkNBufferCompatibility::KeepsOpaqueDepth(renderer))

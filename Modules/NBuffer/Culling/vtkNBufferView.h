@@ -126,10 +126,10 @@ private:
   std::shared_ptr<vtkNBufferBackend> Backend;
   vtkNBufferBackOff BackOffs[2]; ///< For frames in which all props are drawn whole, and for others.
   vtkNBufferBackOff* BackOff = nullptr;
+  vtkNBufferProjection Projection;
   vtkNBufferCandidateList Props;
   vtkNBufferPartition Partition;
   vtkNBufferDivision Division;
-  vtkNBufferProjection Projection;
   vtkNBufferLevels Levels;
   vtkNBufferSettings Settings{};
   vtkNBufferStatistics Statistics;
