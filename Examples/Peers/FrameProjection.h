@@ -19,7 +19,8 @@ inline void SetFrameProjection(
 {
   const int* viewport = source.Viewport;
   projection.Set(vtkNBufferGLM::ToRows(vtkNBufferCamera(renderer).WorldToClip).data(), viewport[2],
-    viewport[3], source.GetStep(), glm::ivec2(viewport[0], viewport[1]));
+    viewport[3], vtkNBufferDepthFormat::FromQuantum(source.GetStep()),
+    glm::ivec2(viewport[0], viewport[1]));
 }
 
 } // namespace NBufferPeers

@@ -57,7 +57,7 @@ inline void SetProjection(vtkNBufferProjection& projection, const double worldTo
 {
   if (convention == DepthConvention::Forward)
   {
-    projection.Set(worldToClip, width, height, depthQuantum);
+    projection.Set(worldToClip, width, height, vtkNBufferDepthFormat::FromQuantum(depthQuantum));
     return;
   }
   // Row 2 gives the order times w, which is -w on the near plane.

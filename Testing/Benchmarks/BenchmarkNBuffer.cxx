@@ -65,7 +65,7 @@ struct Street
     const double aspect = static_cast<double>(Width) / Height;
     this->Projection.Set(
       camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData(), Width, Height,
-      0x1p-24);
+      vtkNBufferDepthFormat::FromQuantum(0x1p-24));
     std::mt19937 random(2);
     const auto uniform = [&random](double a, double b)
     { return a + (b - a) * static_cast<double>(random() % 100000) / 100000.0; };

@@ -163,7 +163,8 @@ TEST_P(GpuTestNBufferUnitAnswers, AreThoseOfTheHost)
   const glm::dmat4 toClip = vtkNBufferGLM::ToMatrix(
     camera->GetCompositeProjectionTransformMatrix(1.0 * Width / Height, -1.0, 1.0)->GetData());
   vtkNBufferProjection projection;
-  projection.Set(vtkNBufferGLM::ToRows(toClip).data(), Width, Height, 0x1p-24, glm::ivec2(0), 8);
+  projection.Set(vtkNBufferGLM::ToRows(toClip).data(), Width, Height,
+    vtkNBufferDepthFormat::FromQuantum(0x1p-24), glm::ivec2(0), 8);
 
   vtkNBufferUnitCulling onHost;
   vtkNBufferUnitCulling onDevice;

@@ -24,7 +24,7 @@ inline vtkNBufferProjection LookAlongY(int width, int height)
     0.0, 1001.0 / 999.0, 0.0, -2000.0 / 999.0,                  //
     0.0, 1.0, 0.0, 0.0 };
   vtkNBufferProjection projection;
-  projection.Set(worldToClip, width, height, 0x1p-24);
+  projection.Set(worldToClip, width, height, vtkNBufferDepthFormat::FromQuantum(0x1p-24));
   return projection;
 }
 

@@ -18,7 +18,8 @@ inline vtkNBufferProjection MapWorldToPixels(int width, int height, int subpixel
   const double worldToClip[16] = { 2.0 / width, 0.0, 0.0, -1.0, 0.0, 2.0 / height, 0.0, -1.0, 0.0,
     0.0, 2.0, -1.0, 0.0, 0.0, 0.0, 1.0 };
   vtkNBufferProjection projection;
-  projection.Set(worldToClip, width, height, 0x1p-24, {}, subpixelBits);
+  projection.Set(
+    worldToClip, width, height, vtkNBufferDepthFormat::FromQuantum(0x1p-24), {}, subpixelBits);
   return projection;
 }
 

@@ -104,7 +104,8 @@ vtkNBufferProjection MakeViewOfFaces()
   const glm::dmat4 toClip = glm::perspective(
     glm::radians(60.0), static_cast<double>(FacesWidth) / FacesHeight, 0.5, 10000.0);
   vtkNBufferProjection projection;
-  projection.Set(vtkNBufferGLM::ToRows(toClip).data(), FacesWidth, FacesHeight, 0x1p-24, {}, 8);
+  projection.Set(vtkNBufferGLM::ToRows(toClip).data(), FacesWidth, FacesHeight,
+    vtkNBufferDepthFormat::FromQuantum(0x1p-24), {}, 8);
   return projection;
 }
 

@@ -405,7 +405,8 @@ TEST(NBufferProjectionOnce, SlackHoldsAmidTheBox)
     glm::lookAt(eye, eye + way, glm::dvec3(0.0, 0.0, 1.0));
   const glm::dmat4 rows = glm::transpose(worldToClip);
   vtkNBufferProjection projection;
-  projection.Set(glm::value_ptr(rows), 1000, 750, std::ldexp(1.0, -24), glm::ivec2(0), 8);
+  projection.Set(
+    glm::value_ptr(rows), 1000, 750, vtkNBufferDepthFormat::FromQuantum(0x1p-24), glm::ivec2(0), 8);
   const double bounds[6] = { 0.0, 26.956, 0.0, 0.0, 25480.004915, 25480.081222 };
   const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
   vtkNBufferScreenBox screen;
@@ -433,7 +434,8 @@ TEST(NBufferProjectionOnce, SlackGrowsWithTheOriginOfTheViewport)
   vtkNBufferProjection projection = MakeProjection(view);
   const ProjectedBox before(projection, bounds);
   ASSERT_TRUE(before.IsInside());
-  projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24, { 0, 20000 });
+  projection.Set(view.WorldToClip.data(), view.Width, view.Height,
+    vtkNBufferDepthFormat::FromQuantum(0x1p-24), { 0, 20000 });
   const ProjectedBox after(projection, bounds);
   ASSERT_TRUE(after.IsInside());
   EXPECT_LT(after.Screen.Nearest, before.Screen.Nearest);

@@ -22,7 +22,7 @@ protected:
   void SetUp() override
   {
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    this->Projection.Set(identity, Size, Size, 0x1p-24);
+    this->Projection.Set(identity, Size, Size, vtkNBufferDepthFormat::FromQuantum(0x1p-24));
     vtkNBufferUnits::Mesh mesh;
     for (int i = 0; i < 4; ++i)
     {
@@ -94,7 +94,7 @@ TEST(UnitsOfANewView, NearOnesBeforeOthers)
   const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   constexpr int pixels = 10 * columns;
   vtkNBufferProjection projection;
-  projection.Set(identity, pixels, pixels, 0x1p-24);
+  projection.Set(identity, pixels, pixels, vtkNBufferDepthFormat::FromQuantum(0x1p-24));
   vtkNBufferUnitCulling culling;
   culling.SetUnits(vtkNBufferUnits::Make(mesh, 1));
   culling.SetRounding({ glm::dvec3(0.0), glm::dvec3(1.0), 0.0 });
@@ -148,7 +148,7 @@ TEST(UnitsOfANewView, NearOnesBeforeOthers)
     const double s = std::sin(glm::radians(degrees));
     const double matrix[16] = { c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1 };
     vtkNBufferProjection turned;
-    turned.Set(matrix, pixels, pixels, 0x1p-24);
+    turned.Set(matrix, pixels, pixels, vtkNBufferDepthFormat::FromQuantum(0x1p-24));
     return turned;
   };
   culling.FindKept(turn(10.0));

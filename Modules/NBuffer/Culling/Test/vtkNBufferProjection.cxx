@@ -79,13 +79,6 @@ private:
 };
 
 void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
-  double depthQuantum, const glm::ivec2& origin, int subpixelBits)
-{
-  this->Set(worldToClip, width, height, vtkNBufferDepthFormat::FromQuantum(depthQuantum), origin,
-    subpixelBits);
-}
-
-void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
   const vtkNBufferDepthFormat& format, const glm::ivec2& origin, int subpixelBits)
 {
   this->Width = width;

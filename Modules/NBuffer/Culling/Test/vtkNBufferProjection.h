@@ -39,23 +39,15 @@ public:
   /// The rows of a 4 x 4 matrix.
   using Rows = std::array<glm::dvec4, 4>;
 
-  ///@{
   /**
    * `worldToClip` is the matrix from world to clip coordinates, row by row as in vtkMatrix4x4, with
    * z in [-w, w]: vtkCamera's projection matrix for (aspect, -1, 1) times its model-view matrix.
-   * The viewport is `width` x `height` pixels. `depthQuantum` is the step of the depth buffer's
-   * format, see vtkNBufferDepthFormat::FromQuantum(). `origin` is the lower left corner of the
-   * viewport in the window, in pixels.
+   * For depths other than VTK's, z must be the one that `format` describes. The viewport is `width`
+   * x `height` pixels, and `origin` is its lower left corner in the window, in pixels.
    * `subpixelBits` is vtkNBufferGL::GetSubpixelBits(), which OpenGL guarantees to be at least 4.
-   *
-   * The second form is for depths other than VTK's. The z of its matrix must be the one that
-   * `format` describes.
    */
-  void Set(const double worldToClip[16], int width, int height, double depthQuantum,
-    const glm::ivec2& origin = glm::ivec2(0), int subpixelBits = 4);
   void Set(const double worldToClip[16], int width, int height, const vtkNBufferDepthFormat& format,
     const glm::ivec2& origin = glm::ivec2(0), int subpixelBits = 4);
-  ///@}
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
