@@ -236,16 +236,16 @@ protected:
   {
     const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
     std::optional<std::size_t> onHost;
-    const vtkNBufferUnitDevice::Choice choice = { &this->Units, &marked, &this->OnDevice };
+    const vtkNBufferUnits::Range part = { first, first + size };
     if (!this->GetParam())
     {
-      onHost =
-        vtkNBufferHostList::Copy(this->Units.GetRanges(marked), { first, first + size }, records);
+      onHost = vtkNBufferHostList::Copy(this->Units.GetRanges(marked), part, records);
       EXPECT_TRUE(onHost.has_value());
     }
     else
     {
-      this->Device.MakeList(choice, first, size, records, indices, areInstances, this->List);
+      this->Device.MakeList(
+        this->Units, marked, this->OnDevice, part, records, indices, areInstances, this->List);
     }
     EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
     if (onHost)

@@ -121,7 +121,7 @@ void vtkNBufferDrawHook::SetList(
     return;
   }
   buffer.Marked = marked;
-  buffer.Choice = { &units, &buffer.Marked, &this->OnDevice };
+  buffer.Units = &units;
   buffer.IsOnDevice = this->CanListOnDevice();
   buffer.Ranges.clear();
   if (!buffer.IsOnDevice)
@@ -143,11 +143,10 @@ bool vtkNBufferDrawHook::MakeList(const Buffer& buffer, const vtkNBufferUnits::R
   const std::vector<vtkNBufferUnitDevice::Records>& records, std::size_t indices,
   vtkNBufferUnitDevice::List& list)
 {
-  const std::size_t size = part.End - part.Begin;
   if (buffer.IsOnDevice)
   {
-    this->Device->MakeList(
-      buffer.Choice, part.Begin, size, records, indices, this->Read.AreInstances, list);
+    this->Device->MakeList(*buffer.Units, buffer.Marked, this->OnDevice, part, records, indices,
+      this->Read.AreInstances, list);
     return true;
   }
   const std::optional<std::size_t> copied = vtkNBufferHostList::Copy(buffer.Ranges, part, records);

@@ -153,9 +153,9 @@ private:
     std::vector<unsigned char> Marked; ///< The units of which the list consists.
     /// The list, if primitives are numbered, or what the host makes it from.
     std::vector<vtkNBufferUnits::Range> Ranges;
-    vtkNBufferUnitDevice::Choice Choice; ///< What the device makes the list from.
-    bool IsOnDevice = false;             ///< Whether the device makes the list.
-    bool IsPending = false;              ///< Whether the next draw makes the list.
+    const vtkNBufferUnits* Units = nullptr; ///< All units of the mesh.
+    bool IsOnDevice = false;                ///< Whether the device makes the list.
+    bool IsPending = false;                 ///< Whether the next draw makes the list.
   };
 
   void BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop);

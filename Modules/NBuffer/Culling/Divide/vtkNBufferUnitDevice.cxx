@@ -102,11 +102,11 @@ bool vtkNBufferUnitDevice::Begin(vtkOpenGLRenderWindow* window, vtkNBufferBacken
     this->Tests.Delete(vtkNBufferGL::Context::Gone);
     this->Lists.Delete(vtkNBufferGL::Context::Gone);
     this->ContextTime = window->GetContextCreationTime();
-    this->IsSoftware = vtkNBufferGL::GetSoftwareRenderer() != nullptr;
     this->Prepared = this->Checked = false;
     this->Right = true;
   }
-  if (backend == vtkNBufferBackend::CPU || (backend == vtkNBufferBackend::Auto && this->IsSoftware))
+  if (backend == vtkNBufferBackend::CPU ||
+    (backend == vtkNBufferBackend::Auto && vtkNBufferGL::GetSoftwareRenderer()))
   {
     return false;
   }
@@ -247,13 +247,13 @@ void vtkNBufferUnitDevice::List::Draw(unsigned int mode) const
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, static_cast<GLuint>(bound));
 }
 
-void vtkNBufferUnitDevice::MakeList(const Choice& choice, std::size_t first, std::size_t size,
+void vtkNBufferUnitDevice::MakeList(const vtkNBufferUnits& units,
+  const std::vector<unsigned char>& marked, Buffers& buffers, const vtkNBufferUnits::Range& part,
   const std::vector<Records>& records, std::size_t indices, bool areInstances, List& list)
 {
   const vtkNBufferGL::ScopedCompute scope;
-  const vtkNBufferUnits& units = *choice.Units;
-  Buffers& buffers = *choice.OfUnits;
-  const std::vector<std::uint32_t> bits = GetBits(*choice.Marked);
+  const std::size_t size = part.End - part.Begin;
+  const std::vector<std::uint32_t> bits = GetBits(marked);
   vtkNBufferGL::AllocateStorage(
     buffers.Marks.Create(), bits.size() * sizeof(std::uint32_t), bits.data());
   if (units.AreSpatial() && buffers.Table.GetName() == 0)
@@ -268,8 +268,8 @@ void vtkNBufferUnitDevice::MakeList(const Choice& choice, std::size_t first, std
   command.Count = static_cast<std::uint32_t>(indices);
   vtkNBufferGL::AllocateStorage(list.Object.Create(), sizeof(Command), &command);
   // The length of the list is known to the device alone, but not what it is at most.
-  const auto marked = std::count(choice.Marked->begin(), choice.Marked->end(), 1);
-  const std::size_t most = std::min(size, units.GetUnitSize() * static_cast<std::size_t>(marked));
+  const auto count = std::count(marked.begin(), marked.end(), 1);
+  const std::size_t most = std::min(size, units.GetUnitSize() * static_cast<std::size_t>(count));
 
   vtkNBufferGL::BindStorage(MarkBuffer, buffers.Marks.GetName());
   vtkNBufferGL::BindStorage(TableBuffer, buffers.Table.GetName());
@@ -279,7 +279,7 @@ void vtkNBufferUnitDevice::MakeList(const Choice& choice, std::size_t first, std
   {
     const unsigned int program = this->Lists.Use(this->Error, pass + kind);
     SetUnsigned(program, "unitSize", units.GetUnitSize());
-    SetUnsigned(program, "first", first);
+    SetUnsigned(program, "first", part.Begin);
     SetUnsigned(program, "size", size);
     return program;
   };

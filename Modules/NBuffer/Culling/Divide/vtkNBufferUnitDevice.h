@@ -136,22 +136,15 @@ public:
   }
   ///@}
 
-  /// The units of which a list consists.
-  struct Choice
-  {
-    const vtkNBufferUnits* Units = nullptr;
-    const std::vector<unsigned char>* Marked = nullptr; ///< 1 for each unit of the list, or 0.
-    Buffers* OfUnits = nullptr;
-  };
-
   /// Whether the device can copy records from a buffer of so many bytes.
   bool CanCopy(std::size_t bytes) const { return bytes <= this->LargestBuffer; }
 
-  /// Make a list of those of `size` primitives from number `first` on that are chosen, each of
-  /// which is drawn by so many indices, as an instance if `areInstances` is true. A buffer of
-  /// Records has `size` records.
-  void MakeList(const Choice& choice, std::size_t first, std::size_t size,
-    const std::vector<Records>& records, std::size_t indices, bool areInstances, List& list);
+  /// Make a list of the primitives in `part` whose units are marked by 1. Each of them is drawn by
+  /// so many indices, as an instance if `areInstances` is true. A buffer of Records has one record
+  /// for each primitive of the part.
+  void MakeList(const vtkNBufferUnits& units, const std::vector<unsigned char>& marked,
+    Buffers& buffers, const vtkNBufferUnits::Range& part, const std::vector<Records>& records,
+    std::size_t indices, bool areInstances, List& list);
 
 private:
   void Prepare();
@@ -162,8 +155,7 @@ private:
   vtkNBufferGL::ComputePrograms Tests;
   vtkNBufferGL::ComputePrograms Lists;
   vtkMTimeType ContextTime = 0; ///< The context of which the members below tell.
-  bool IsSoftware = false;
-  bool Prepared = false; ///< Whether Error has been found.
+  bool Prepared = false;        ///< Whether Error has been found.
   std::string Error;
   std::size_t LargestBuffer = 0; ///< In bytes.
   std::size_t LargestNumberOfUnits = 0;
