@@ -9,6 +9,7 @@
 #include "vtkActor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <unordered_set>
 #include <utility>
@@ -199,44 +200,38 @@ void vtkNBufferCandidateList::ReadParts()
 void vtkNBufferCandidateList::FindSharedState()
 {
   this->UsesChanged = this->SharesState = false;
-  vtkNBufferSharedState state;
-  for (const auto add : { &vtkNBufferSharedState::Add, &vtkNBufferSharedState::AddCommon })
+  const auto forEachUser = [this](const auto& function)
   {
     for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
     {
-      (state.*add)(candidate.GetUses());
+      function(candidate.GetUses());
     }
-    for (const vtkNBufferSharedState::Uses& uses : this->PartUses)
-    {
-      (state.*add)(uses);
-    }
-  }
-  bool otherParameters = false;
-  const auto mark = [this, &state, &otherParameters](const vtkNBufferSharedState::Uses& uses)
-  {
-    for (const std::size_t place :
-      { vtkNBufferSharedState::Parameters, vtkNBufferSharedState::Shaders })
-    {
-      if (GetMapper(uses) &&
-        vtkNBufferSharedState::HasOtherShaders(GetMapper(uses), place, state.IsMixed(uses, place)))
-      {
-        this->OtherShaders.insert(GetMapper(uses));
-        otherParameters = otherParameters || place == vtkNBufferSharedState::Parameters;
-      }
-    }
-    this->SharesState = this->SharesState || state.HasMixedData(uses);
+    std::for_each(this->PartUses.begin(), this->PartUses.end(), function);
   };
+  vtkNBufferSharedState state;
+  forEachUser([&state](const auto& uses) { state.Add(uses); });
+  forEachUser([&state](const auto& uses) { state.AddCommon(uses); });
+  bool otherParameters = false;
   this->OtherShaders.clear();
+  forEachUser(
+    [this, &state, &otherParameters](const vtkNBufferSharedState::Uses& uses)
+    {
+      for (const std::size_t place :
+        { vtkNBufferSharedState::Parameters, vtkNBufferSharedState::Shaders })
+      {
+        if (GetMapper(uses) &&
+          vtkNBufferSharedState::HasOtherShaders(
+            GetMapper(uses), place, state.IsMixed(uses, place)))
+        {
+          this->OtherShaders.insert(GetMapper(uses));
+          otherParameters = otherParameters || place == vtkNBufferSharedState::Parameters;
+        }
+      }
+      this->SharesState = this->SharesState || state.HasMixedData(uses);
+    });
   std::unordered_set<const vtkMapper*> mappersOfParts;
-  for (const vtkNBufferSharedState::Uses& uses : this->PartUses)
-  {
-    mark(uses);
-    mappersOfParts.insert(GetMapper(uses));
-  }
-  for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
-  {
-    mark(candidate.GetUses());
-  }
+  std::transform(this->PartUses.begin(), this->PartUses.end(),
+    std::inserter(mappersOfParts, mappersOfParts.end()), GetMapper);
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
     vtkNBufferCandidate& candidate = this->Candidates[i];

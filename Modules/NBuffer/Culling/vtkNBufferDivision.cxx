@@ -143,15 +143,15 @@ bool vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
     entry.IsHeldBack = state.Verdict == vtkNBufferVerdict::Untested && !state.WasVisible;
     // A prop of instances or splats is no candidate. It keeps its place, and only its units are
     // tested.
-    entry.IsKept = entry.Place < firstBlended &&
+    const bool isKept = entry.Place < firstBlended &&
       (state.Verdict == vtkNBufferVerdict::NearPlane ||
         state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
         (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible));
     const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent &&
       (state.Placement != vtkNBufferPlacement::Outside ||
         !this->Props.GetCandidate(entry.Place).HasPlacement());
-    const bool isTested = (entry.IsHeldBack || entry.IsKept || isTranslucent) &&
-      entry.Prop->IsReady() && !entry.BackOff.CountPausedFrame();
+    const bool isTested = (entry.IsHeldBack || isKept || isTranslucent) && entry.Prop->IsReady() &&
+      !entry.BackOff.CountPausedFrame();
     entry.IsActive = isTested && !isTranslucent;
     entry.IsPending = isTested && isTranslucent;
   }
@@ -171,7 +171,7 @@ bool vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
       entry.Prop->FindKept(entry.Projection);
       const vtkNBufferUnitCulling::Counts& units = entry.Prop->GetCulling().GetCounts();
       const int inside = units.Units - units.Outside;
-      const int kept = entry.IsKept ? units.Kept : 0;
+      const int kept = entry.IsActive && !entry.IsHeldBack ? units.Kept : 0;
       counts.Inside += inside;
       counts.Kept += kept;
       (entry.IsPending ? counts.Translucent : counts.HeldBack) += inside - kept;

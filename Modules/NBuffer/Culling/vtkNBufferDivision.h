@@ -138,10 +138,9 @@ private:
     std::unique_ptr<vtkNBufferDividedProp> Prop;
     vtkNBufferProjection Projection; ///< From the coordinates of the mesh.
     vtkNBufferBackOff BackOff;
-    bool IsActive = false; ///< It is drawn unit by unit.
-    bool IsHeldBack = false;
-    bool IsKept = false;    ///< The renderer draws it before the test.
-    bool IsPending = false; ///< Its units are to be tested before the translucent stage.
+    bool IsActive = false;   ///< It is drawn unit by unit.
+    bool IsHeldBack = false; ///< The renderer does not draw it before the test.
+    bool IsPending = false;  ///< Its units are to be tested before the translucent stage.
 
     /// Whether Draw() draws only some units of the prop, or reads what VTK draws of it.
     bool IsDrawnHere() const { return this->IsActive || this->Prop->IsReading(); }
