@@ -5,6 +5,7 @@
 #include "vtkNBufferLevelBuilder.h"
 
 #include <algorithm>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -202,8 +203,6 @@ const float* vtkNBufferLevels::GetLevelData(int level) const
 
 float* vtkNBufferLevels::GetLevelData(int level)
 {
-  return level >= 0 && level < this->NumberOfLevels
-    ? this->Texels.data() + this->GetLevelOffset(level)
-    : nullptr;
+  return const_cast<float*>(std::as_const(*this).GetLevelData(level));
 }
 VTK_ABI_NAMESPACE_END

@@ -148,8 +148,8 @@ MUTANTS = {
 
     # Depth.
     "samples in the middles of pixels only": [
-        ("vtkNBufferDepthSource.cxx", "source.Places = GetSamples();",
-         "source.Places = vtkNBufferSamples();")],
+        ("vtkNBufferDepthSource.cxx", "source.Places.Places.emplace_back(x, y);",
+         "source.Places.Places.emplace_back(0.5, 0.5);")],
     "one sample of a multisampled pixel": [
         ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 0; i < NBUFFER_SAMPLES; ++i)",
          "for (int i = 0; i < 1; ++i)")],

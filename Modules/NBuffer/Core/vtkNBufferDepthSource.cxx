@@ -19,19 +19,6 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
-/// The samples of the framebuffer that is being drawn, if they are in the same places in all
-/// pixels.
-vtkNBufferSamples GetSamples()
-{
-  vtkNBufferSamples samples;
-  samples.Places.clear();
-  for (const auto& [x, y] : vtkNBufferGL::GetSamplePlaces())
-  {
-    samples.Places.emplace_back(x, y);
-  }
-  return samples;
-}
-
 /// Set the members that describe a texture with this target. Returns false if the texture has
 /// another target.
 bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& source)
@@ -52,7 +39,11 @@ bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& sou
     }
     if (isFixed)
     {
-      source.Places = GetSamples();
+      source.Places = { {}, 0.0 };
+      for (const auto& [x, y] : vtkNBufferGL::GetSamplePlaces())
+      {
+        source.Places.Places.emplace_back(x, y);
+      }
     }
     glBindTexture(target, bound);
   }

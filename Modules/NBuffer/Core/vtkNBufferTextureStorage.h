@@ -31,7 +31,6 @@ class vtkNBufferTextureStorage
 {
 public:
   static constexpr int ArrayCount = 2;
-  static int GetArrayIndex(int level) { return level % ArrayCount; }
   static int GetLayer(int level) { return level / ArrayCount; }
 
   /// Make room for at least `levels` levels of at least width x height texels with at least
@@ -65,7 +64,7 @@ public:
     float* texels, std::string& why);
 
   /// The name of the array that holds a level.
-  unsigned int GetArray(int level) const { return this->Arrays[GetArrayIndex(level)].GetName(); }
+  unsigned int GetArray(int level) const { return this->Arrays[level % ArrayCount].GetName(); }
 
   /// The name of the framebuffer that has a level as its only attachment.
   unsigned int GetFramebuffer(int level) const { return this->Framebuffers[level].GetName(); }

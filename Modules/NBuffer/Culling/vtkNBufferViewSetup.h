@@ -26,13 +26,11 @@ struct vtkNBufferViewSetup
   /// Set what is known of the depth buffer. Returns whether anything has changed.
   bool SetDepth(double quantum, vtkNBufferStoredDepth stored, int subpixelBits)
   {
-    const auto get = [this]()
-    { return std::make_tuple(this->DepthQuantum, this->Stored, this->SubpixelBits); };
-    const auto before = get();
-    this->DepthQuantum = quantum;
-    this->Stored = stored;
-    this->SubpixelBits = subpixelBits;
-    return get() != before;
+    auto known = std::tie(this->DepthQuantum, this->Stored, this->SubpixelBits);
+    const auto found = std::tie(quantum, stored, subpixelBits);
+    const bool hasChanged = known != found;
+    known = found;
+    return hasChanged;
   }
 
   /// Set `projection` to one from the coordinates that `toWorld` takes to the world.
