@@ -331,8 +331,8 @@ RARE = {
         ("vtkNBufferTieQuery.cxx", "return passed > 0;", "return false;")],
     "only one part of what is drawn again followed": [
         ("vtkNBufferTieOrder.cxx",
-         "for (int i = begin; i < end; ++i)\n      {\n        late.Add({ i, std::numeric",
-         "for (int i = begin; i <= begin; ++i)\n      {\n        late.Add({ i, std::numeric")],
+         "for (int i = begin; i < end; ++i)\n      {\n        sources.Add({ i, std::numeric",
+         "for (int i = begin; i <= begin; ++i)\n      {\n        sources.Add({ i, std::numeric")],
     "changes upstream of a mapper not noticed": [
         ("vtkNBufferPropWatch.h", "Means::Pipeline ? this->PipelineHasChanged()",
          "Means::Pipeline ? false")],

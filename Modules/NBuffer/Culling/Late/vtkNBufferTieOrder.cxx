@@ -14,25 +14,20 @@ constexpr std::size_t MaximumNumberOfRegions = 4;
 /// The number of tiles along the longer side of the viewport.
 constexpr int TilesPerSide = 32;
 
-/**
- * A prop that was drawn after props that follow it in the renderer's order, and the pixels of this
- * draw. If the draw is one that draws the prop once more, Round is larger than the number of any
- * round.
- */
-struct LateDraw
+/// A draw with which props that follow in the renderer's order may tie. For a prop that is drawn
+/// once more, Round is larger than the number of any round.
+struct TieSource
 {
   int Position = 0;
   int Round = 0;
   vtkNBufferRectangle Pixels;
 };
 
-/**
- * The late draws, sorted into tiles of the viewport.
- */
-class LateDraws
+/// Such draws, sorted into tiles of the viewport.
+class TieSources
 {
 public:
-  LateDraws(int width, int height)
+  TieSources(int width, int height)
     : TileSize(std::max(1, (std::max(width, height) + TilesPerSide - 1) / TilesPerSide))
     , Columns((width + this->TileSize - 1) / this->TileSize)
     , Tiles(
@@ -40,10 +35,10 @@ public:
   {
   }
 
-  void Add(const LateDraw& draw)
+  void Add(const TieSource& draw)
   {
     this->ForEachTile(
-      draw.Pixels, [&draw](int, int, std::vector<LateDraw>& tile) { tile.push_back(draw); });
+      draw.Pixels, [&draw](int, int, std::vector<TieSource>& tile) { tile.push_back(draw); });
   }
 
   /// Call functor(draw, shared pixels) once for each draw whose pixels overlap the rectangle.
@@ -51,9 +46,9 @@ public:
   void ForEachIn(const vtkNBufferRectangle& pixels, Functor&& functor)
   {
     this->ForEachTile(pixels,
-      [&](int column, int row, const std::vector<LateDraw>& tile)
+      [&](int column, int row, const std::vector<TieSource>& tile)
       {
-        for (const LateDraw& draw : tile)
+        for (const TieSource& draw : tile)
         {
           // The draw and the rectangle may share several tiles. The functor is called only in the
           // tile with the lower left corner of the shared pixels.
@@ -82,7 +77,7 @@ private:
 
   int TileSize;
   int Columns;
-  std::vector<std::vector<LateDraw>> Tiles;
+  std::vector<std::vector<TieSource>> Tiles;
 };
 
 double GetArea(const vtkNBufferRectangle& pixels)
@@ -175,7 +170,7 @@ std::vector<vtkNBufferRedraw> GetRedraws(const vtkNBufferProjection& projection,
   const vtkNBufferRectangle viewport = { 0, 0, projection.GetWidth(), projection.GetHeight() };
   const auto getPixels = [&](int i) -> const vtkNBufferRectangle&
   { return drawn[i].Bounded ? drawn[i].Screen.Pixels : viewport; };
-  LateDraws late(projection.GetWidth(), projection.GetHeight());
+  TieSources sources(projection.GetWidth(), projection.GetHeight());
   std::vector<vtkNBufferRedraw> redraws;
   const int count = static_cast<int>(drawn.size());
   for (int begin = 0, end = 0; begin < count; begin = end)
@@ -191,8 +186,8 @@ std::vector<vtkNBufferRedraw> GetRedraws(const vtkNBufferProjection& projection,
     {
       const vtkNBufferDrawnProp& part = drawn[i];
       const vtkNBufferRectangle& pixels = getPixels(i);
-      late.ForEachIn(pixels,
-        [&](const LateDraw& other, const vtkNBufferRectangle& shared)
+      sources.ForEachIn(pixels,
+        [&](const TieSource& other, const vtkNBufferRectangle& shared)
         {
           if (other.Round <= part.Round || Covers(redraw.Regions, shared))
           {
@@ -211,7 +206,7 @@ std::vector<vtkNBufferRedraw> GetRedraws(const vtkNBufferProjection& projection,
         });
       if (part.Round > 0 && part.MayTie)
       {
-        late.Add({ i, part.Round, pixels });
+        sources.Add({ i, part.Round, pixels });
       }
     }
     // A prop that is drawn once more is drawn with all of its parts.
@@ -219,7 +214,7 @@ std::vector<vtkNBufferRedraw> GetRedraws(const vtkNBufferProjection& projection,
     {
       for (int i = begin; i < end; ++i)
       {
-        late.Add({ i, std::numeric_limits<int>::max(), region.GetIntersection(getPixels(i)) });
+        sources.Add({ i, std::numeric_limits<int>::max(), region.GetIntersection(getPixels(i)) });
       }
     }
     if (!redraw.Regions.empty())
