@@ -132,7 +132,7 @@ MUTANTS = {
         ("vtkNBufferMath.cxx", "texels.X1 = GetBaseSize(pixels.X1, factor);",
          "texels.X1 = std::max(pixels.X1 / factor, texels.X0 + 1);")],
     "squares of a level side by side with a gap": [
-        ("vtkNBufferLevelBuilder.h", "width, height, 1 << (i - 1),", "width, height, 1 << i,")],
+        ("vtkNBufferLevelBuilder.h", "const int step = 1 << (i - 1);", "const int step = 1 << i;")],
     "one of the four lookups left out": [
         ("vtkNBufferMath.h", "for (int i = 1; i < cover.Count; ++i)",
          "for (int i = 1; i < cover.Count - 1; ++i)")],

@@ -62,36 +62,30 @@ void BuildRow(const Texel* a, const Texel* b, int width, int step, Texel* __rest
   }
 }
 
-/// Build level i + 1 from level i, whose squares have the side `step`.
-template <typename Merge, typename Texel>
-void BuildLevel(
-  const Texel* below, int width, int height, int step, Texel* level, vtkIdType worthAThread)
-{
-  ForEachRow(
-    height, static_cast<vtkIdType>(width) * height,
-    [=](int begin, int end)
-    {
-      for (int y = begin; y < end; ++y)
-      {
-        BuildRow<Merge>(below + static_cast<std::size_t>(y) * width,
-          below + static_cast<std::size_t>(std::min(y + step, height - 1)) * width, width, step,
-          level + static_cast<std::size_t>(y) * width);
-      }
-    },
-    worthAThread);
-}
-
 /// Build the levels first to end - 1, each from the level below it; `first` is at least 1. Several
 /// threads build a level of at least `worthAThread` texels.
 template <typename Merge, typename Texel>
 void BuildLevels(Texel* texels, int width, int height, int first, int end,
   vtkIdType worthAThread = TexelsWorthAThread)
 {
-  const std::size_t size = static_cast<std::size_t>(width) * height;
+  const auto size = static_cast<vtkIdType>(width) * height;
   for (int i = first; i < end; ++i)
   {
-    BuildLevel<Merge>(
-      texels + (i - 1) * size, width, height, 1 << (i - 1), texels + i * size, worthAThread);
+    Texel* const level = texels + i * size;
+    const Texel* const below = level - size;
+    const int step = 1 << (i - 1); // The side of the squares of the level below.
+    ForEachRow(
+      height, size,
+      [=](int beginOfRows, int endOfRows)
+      {
+        for (int y = beginOfRows; y < endOfRows; ++y)
+        {
+          BuildRow<Merge>(below + static_cast<std::size_t>(y) * width,
+            below + static_cast<std::size_t>(std::min(y + step, height - 1)) * width, width, step,
+            level + static_cast<std::size_t>(y) * width);
+        }
+      },
+      worthAThread);
   }
 }
 }

@@ -4,9 +4,7 @@
  * @file vtkNBufferNamedMembers.h
  * @brief Access to the numbers of a struct by name, for vtkNBufferTuning and vtkShadowTuning.
  *
- * Each of the two has one array of vtkNBufferNamedMember, with an element for each of its
- * constants. The functions below use this array to compare, to check ranges, to print, and to find
- * a constant by its name.
+ * Each of the two has one array of vtkNBufferNamedMember, an element for each of its constants.
  */
 #ifndef vtkNBufferNamedMembers_h
 #define vtkNBufferNamedMembers_h
@@ -53,22 +51,21 @@ const vtkNBufferNamedMember<Struct>* Find(
 }
 
 /// Return all names.
-template <typename Struct, std::size_t N>
-std::vector<std::string> GetNames(const vtkNBufferNamedMember<Struct> (&members)[N])
+template <typename Members>
+std::vector<std::string> GetNames(const Members& members)
 {
   std::vector<std::string> names;
   std::transform(std::begin(members), std::end(members), std::back_inserter(names),
-    [](const vtkNBufferNamedMember<Struct>& member) { return member.Name; });
+    [](const auto& member) { return member.Name; });
   return names;
 }
 
 /// Set the member with this name, without checking its range. Return false if there is no such
 /// name, or if a switch gets a number that is neither 0 nor 1.
-template <typename Struct, std::size_t N>
-bool Set(const vtkNBufferNamedMember<Struct> (&members)[N], Struct& object, const std::string& name,
-  int value)
+template <typename Members, typename Struct>
+bool Set(const Members& members, Struct& object, const std::string& name, int value)
 {
-  const vtkNBufferNamedMember<Struct>* member = Find(members, name);
+  const auto* member = Find(members, name);
   if (!member || (member->IsSwitch() && value != 0 && value != 1))
   {
     return false;
@@ -78,20 +75,18 @@ bool Set(const vtkNBufferNamedMember<Struct> (&members)[N], Struct& object, cons
 }
 
 /// Return whether all members of two structs are equal.
-template <typename Struct, std::size_t N>
-bool AreEqual(
-  const vtkNBufferNamedMember<Struct> (&members)[N], const Struct& one, const Struct& other)
+template <typename Members, typename Struct>
+bool AreEqual(const Members& members, const Struct& one, const Struct& other)
 {
   return std::all_of(std::begin(members), std::end(members),
-    [&](const vtkNBufferNamedMember<Struct>& member)
-    { return member.Get(one) == member.Get(other); });
+    [&](const auto& member) { return member.Get(one) == member.Get(other); });
 }
 
 /// Return a sentence about the first number that is out of its range, or an empty string.
-template <typename Struct, std::size_t N>
-std::string FindFault(const vtkNBufferNamedMember<Struct> (&members)[N], const Struct& object)
+template <typename Members, typename Struct>
+std::string FindFault(const Members& members, const Struct& object)
 {
-  for (const vtkNBufferNamedMember<Struct>& member : members)
+  for (const auto& member : members)
   {
     const int value = member.Get(object);
     if (value < member.Lowest || value > member.Highest)
@@ -104,11 +99,10 @@ std::string FindFault(const vtkNBufferNamedMember<Struct> (&members)[N], const S
 }
 
 /// Print a line for each member.
-template <typename Struct, std::size_t N>
-void Print(const vtkNBufferNamedMember<Struct> (&members)[N], const Struct& object, ostream& os,
-  vtkIndent indent)
+template <typename Members, typename Struct>
+void Print(const Members& members, const Struct& object, ostream& os, vtkIndent indent)
 {
-  for (const vtkNBufferNamedMember<Struct>& member : members)
+  for (const auto& member : members)
   {
     os << indent << member.Name << ": " << member.Get(object) << "\n";
   }
