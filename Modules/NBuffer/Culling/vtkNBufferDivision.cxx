@@ -141,8 +141,7 @@ bool vtkNBufferDivision::Classify(vtkRenderer* renderer, const vtkNBufferSetting
     }
     const vtkNBufferState& state = this->Props.GetState(entry.Place);
     entry.IsHeldBack = state.Verdict == vtkNBufferVerdict::Untested && !state.WasVisible;
-    // A prop of instances or splats is no candidate. It keeps its place, and only its units are
-    // tested.
+    // A prop of instances or splats is no candidate, but its units are tested.
     const bool isKept = entry.Place < firstBlended &&
       (state.Verdict == vtkNBufferVerdict::NearPlane ||
         state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
@@ -348,13 +347,14 @@ int vtkNBufferDivision::Draw(int place, const std::function<int()>& drawWhole)
   return entry && entry->IsDrawnHere() ? entry->Prop->Draw(drawWhole) : drawWhole();
 }
 
-int vtkNBufferDivision::GetLevelsNeeded(int width, int height, int factor) const
+int vtkNBufferDivision::GetLevelsNeeded(int factor) const
 {
+  const vtkNBufferProjection& view = this->Props.GetProjection();
   const bool hasUnits = std::any_of(this->Entries.begin(), this->Entries.end(),
     [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
-  return hasUnits
-    ? vtkNBufferOcclusionTest::GetLevelsNeeded({ 0, 0, width / 2, height / 2 }, factor)
-    : 1;
+  return hasUnits ? vtkNBufferOcclusionTest::GetLevelsNeeded(
+                      { 0, 0, view.GetWidth() / 2, view.GetHeight() / 2 }, factor)
+                  : 1;
 }
 
 void vtkNBufferDivision::Count(vtkNBufferStatistics& statistics) const

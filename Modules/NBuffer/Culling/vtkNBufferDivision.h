@@ -12,8 +12,7 @@
  *     Test()       which of the other units may be seen
  *     Draw()       draws them
  *
- * All units of a translucent prop are tested when the depth of the opaque stage is complete
- * (TestTranslucent()).
+ * TestTranslucent() tests all units of a translucent prop when the opaque depth is complete.
  *
  * The place of a prop is its index in the list of candidates.
  */
@@ -51,8 +50,7 @@ public:
   /// Begin a frame, after the candidates have been brought up to date.
   void Update(vtkRenderer* renderer, const vtkNBufferSettings& settings);
 
-  /// Set the view of the frame. To be called again if the framebuffer turns out to have another
-  /// depth format.
+  /// Set the view of the frame. To be called again for another depth format.
   void SetView(const vtkNBufferViewSetup& view);
 
   /// Decide whether units are drawn in this frame, find those that are drawn first, and add all
@@ -81,8 +79,7 @@ public:
   /// Whether a prop has to be drawn by Draw(), so that it has a proxy in the renderer's list.
   bool Draws(int place);
 
-  /// Record that an opaque prop that Draw() has to draw is not in the renderer's list, because the
-  /// list had no room for its proxy.
+  /// Record that the renderer's list had no room for the proxy of an opaque prop of Draw().
   void Postpone(int place) { this->Postponed = place; }
 
   /// The place of the prop given to Postpone(), or -1.
@@ -93,8 +90,7 @@ public:
 
   /// Test the units of the props that have been drawn, and of those in `heldBack`. Removes props
   /// without visible units from `heldBack`. Returns whether all visible units of the props that
-  /// have been drawn are fresh now; those of a prop may be left to the next test if they are more
-  /// than `limit`.
+  /// have been drawn are fresh now; more than `limit` of a prop may be left to the next test.
   bool Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack, int limit);
 
   /// Test the units of the translucent props that are not hidden as a whole and for which
@@ -124,9 +120,9 @@ public:
   /// belongs (vtkNBufferDividedProp::GetVerdict()).
   vtkNBufferVerdict GetVerdict(int place, std::optional<int> part);
 
-  /// The number of levels that it takes to test units in a viewport of width x height pixels: the
-  /// boxes of groups of units may cover much of it. It is 1 if no units are tested in this frame.
-  int GetLevelsNeeded(int width, int height, int factor) const;
+  /// The number of levels that it takes to test units: the boxes of groups of units may cover much
+  /// of the viewport. It is 1 if no units are tested in this frame.
+  int GetLevelsNeeded(int factor) const;
 
   /// Set the statistics of units to the sums over all props that are drawn unit by unit.
   void Count(vtkNBufferStatistics& statistics) const;

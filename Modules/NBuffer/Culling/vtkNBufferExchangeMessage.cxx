@@ -6,20 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-// Where the parts of a report begin behind the texels.
 constexpr std::size_t ViewSize = std::tuple_size<decltype(vtkNBufferRankReport::View)>::value;
-constexpr std::size_t NegativeView = ViewSize;
-constexpr std::size_t Step = 2 * ViewSize;
-constexpr std::size_t Changed = Step + 1;
-constexpr std::size_t Misfit = Changed + 1;
-constexpr std::size_t NewProps = Misfit + 1;
-constexpr std::size_t PerRank = NewProps + 1;
-constexpr std::size_t Sums = 3; // Candidates, Gain and Unhidden, each with a float for each rank.
+constexpr std::size_t Maxima = 4; // Step, Changed, Misfit and NewProps.
+constexpr std::size_t Sums = 3;   // Candidates, Gain and Unhidden, each with a float for each rank.
 
 /// A float that is not less than a double.
 float RoundUp(double value)
@@ -40,39 +35,43 @@ vtkNBufferExchangeMessage::vtkNBufferExchangeMessage(std::size_t texels, int ran
   : Texels(texels)
   , Ranks(ranks)
   , Rank(rank)
-  , Values(texels + PerRank + Sums * static_cast<std::size_t>(ranks), 0.0F)
+  , Values(texels + 2 * ViewSize + Maxima + Sums * static_cast<std::size_t>(ranks), 0.0F)
 {
   std::fill_n(this->Values.begin(), texels, vtkNBufferDepthConvention::Background);
 }
 
 void vtkNBufferExchangeMessage::SetReport(const vtkNBufferRankReport& report)
 {
-  float* values = this->Values.data() + this->Texels;
-  std::copy(report.View.begin(), report.View.end(), values);
-  std::transform(report.View.begin(), report.View.end(), values + NegativeView,
-    [](float value) { return -value; });
-  values[Step] = -RoundUp(report.Step);
-  values[Changed] = report.Changed ? -1.0F : 0.0F;
-  values[Misfit] = report.Misfit ? -1.0F : 0.0F;
-  values[NewProps] = static_cast<float>(-report.NewProps);
-  values[PerRank + this->Rank] = static_cast<float>(-report.Candidates);
-  values[PerRank + this->Ranks + this->Rank] = static_cast<float>(-report.Gain);
-  values[PerRank + 2 * this->Ranks + this->Rank] = static_cast<float>(-report.Unhidden);
+  float* next =
+    std::copy(report.View.begin(), report.View.end(), this->Values.data() + this->Texels);
+  next = std::transform(report.View.begin(), report.View.end(), next, std::negate<>());
+  *next++ = -RoundUp(report.Step);
+  *next++ = report.Changed ? -1.0F : 0.0F;
+  *next++ = report.Misfit ? -1.0F : 0.0F;
+  *next++ = static_cast<float>(-report.NewProps);
+  for (const int summand : { report.Candidates, report.Gain, report.Unhidden })
+  {
+    next[this->Rank] = static_cast<float>(-summand);
+    next += this->Ranks;
+  }
 }
 
 vtkNBufferRankReply vtkNBufferExchangeMessage::GetReply(const std::vector<float>& minima) const
 {
-  const float* values = minima.data() + this->Texels;
+  const float* next = minima.data() + this->Texels;
   vtkNBufferRankReply reply;
-  reply.SameView = std::equal(values, values + ViewSize, values + NegativeView,
+  reply.SameView = std::equal(next, next + ViewSize, next + ViewSize,
     [](float minimum, float negativeMaximum) { return minimum == -negativeMaximum; });
-  reply.Step = -values[Step];
-  reply.Changed = values[Changed] < 0.0F;
-  reply.Misfit = values[Misfit] < 0.0F;
-  reply.NewProps = static_cast<int>(-values[NewProps]);
-  reply.Candidates = AddNegated(values + PerRank, this->Ranks);
-  reply.Gain = AddNegated(values + PerRank + this->Ranks, this->Ranks);
-  reply.Unhidden = AddNegated(values + PerRank + 2 * this->Ranks, this->Ranks);
+  next += 2 * ViewSize;
+  reply.Step = -*next++;
+  reply.Changed = *next++ < 0.0F;
+  reply.Misfit = *next++ < 0.0F;
+  reply.NewProps = static_cast<int>(-*next++);
+  for (int* sum : { &reply.Candidates, &reply.Gain, &reply.Unhidden })
+  {
+    *sum = AddNegated(next, this->Ranks);
+    next += this->Ranks;
+  }
   return reply;
 }
 VTK_ABI_NAMESPACE_END

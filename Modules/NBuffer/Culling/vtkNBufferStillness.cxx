@@ -4,23 +4,21 @@
 
 #include "vtkNBufferSharedDepth.h"
 
-#include <utility>
-
 VTK_ABI_NAMESPACE_BEGIN
 bool vtkNBufferStillness::BeginFrame(vtkRenderer* renderer, const vtkNBufferSettings& settings,
   const vtkNBufferListTraits& traits, bool changed, bool frozen)
 {
-  const auto drawing =
-    std::exchange(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
-  const auto slivers = std::exchange(this->TestSlivers, settings.TestSlivers);
-  const bool wasShared = std::exchange(this->IsShared, settings.Shared != nullptr);
-  const bool erased =
-    std::exchange(this->ErasesDepth, vtkNBufferCompatibility::ErasesDepth(renderer));
-  const int first =
-    std::exchange(this->FirstBlended, traits.GetFirstBlended(this->Drawing.SmoothLines));
-  changed = changed || this->FirstBlended != first || !(this->Drawing == drawing) ||
-    this->TestSlivers != slivers || this->IsShared != wasShared || this->ErasesDepth != erased ||
-    this->ChangedWhileFrozen ||
+  const auto set = [&changed](auto& kept, const auto& value)
+  {
+    changed = changed || !(kept == value);
+    kept = value;
+  };
+  set(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
+  set(this->TestSlivers, settings.TestSlivers);
+  set(this->IsShared, settings.Shared != nullptr);
+  set(this->ErasesDepth, vtkNBufferCompatibility::ErasesDepth(renderer));
+  set(this->FirstBlended, traits.GetFirstBlended(this->Drawing.SmoothLines));
+  changed = changed || this->ChangedWhileFrozen ||
     (settings.Shared && settings.Shared->HasExchangedSince(this->SharedTime));
   if (settings.Shared && !frozen)
   {

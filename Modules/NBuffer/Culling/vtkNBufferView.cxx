@@ -309,8 +309,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
   {
     draw(this->Partition.RemoveOccluders(left, limit));
   }
-  const int levels = this->Division.GetLevelsNeeded(
-    this->Projection.GetWidth(), this->Projection.GetHeight(), this->Settings.BaseFactor);
+  const int levels = this->Division.GetLevelsNeeded(this->Settings.BaseFactor);
   for (;;)
   {
     std::string why;
@@ -411,8 +410,7 @@ int vtkNBufferView::DrawAll(
       drawn += this->Draws.Draw(renderer, i, 1, this->Proxy->GetAllocatedRenderTime());
     }
   }
-  // In another view the boxes cover other pixels, and without a depth test the prop that is drawn
-  // last wins at any depth.
+  // In another view the boxes cover other pixels, and without a depth test the last prop wins.
   this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
     renderer, this->Partition, false, this->Tested.Samples, nullptr, requiredKeys);
   this->Statistics.Decision = reason;

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
-#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkOpenGLPolyDataMapper* vtkNBufferSplatStream::GetHelper(vtkAbstractMapper* mapper)

@@ -5,13 +5,6 @@
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkNBufferOcclusionTest::vtkNBufferOcclusionTest(
-  const vtkNBufferLevels& levels, double sampleDistance)
-  : Levels(levels)
-  , SampleDistance(sampleDistance)
-{
-}
-
 int vtkNBufferOcclusionTest::GetLevelsNeeded(const vtkNBufferRectangle& pixels, int factor)
 {
   const vtkNBufferRectangle texels = vtkNBufferMath::GetBaseRectangle(pixels, factor);
@@ -30,8 +23,7 @@ double vtkNBufferOcclusionTest::GetClearance(const vtkNBufferScreenBox& screen)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const vtkNBufferCover cover = this->GetCover(screen);
-  // Without samples there is nothing to be seen. Without the level nothing is known, which means
-  // visible.
+  // Without samples nothing can be seen. Without the level nothing is known, which means visible.
   if (cover.Count == 0 || cover.Level >= this->Levels.GetNumberOfLevels())
   {
     return cover.Count == 0 ? infinity : -infinity;

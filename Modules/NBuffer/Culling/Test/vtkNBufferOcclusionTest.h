@@ -5,9 +5,9 @@
  * @brief Whether a box lies behind what has been drawn. No OpenGL.
  *
  * A box is hidden if its nearest depth is farther than the farthest depth drawn in its rectangle
- * (Decoret 2005, section 3.1), which takes at most four lookups. This test leaves some props
- * false-visible, above all long ones, mainly because one nearest depth stands for the whole box.
- * vtkNBufferPixelTest compares the faces of such boxes with the pixels.
+ * (Decoret 2005, section 3.1), which takes at most four lookups. Equal depth counts as visible.
+ * This test leaves some props false-visible, above all long ones, mainly because one nearest depth
+ * stands for the whole box. vtkNBufferPixelTest compares the faces of such boxes with the pixels.
  */
 #ifndef vtkNBufferOcclusionTest_h
 #define vtkNBufferOcclusionTest_h
@@ -23,12 +23,15 @@ class VTKNBUFFER_EXPORT vtkNBufferOcclusionTest
 public:
   /**
    * `levels` are kept by reference and must outlive the test. They hold the largest orders of depth
-   * of a viewport (vtkNBufferDepthConvention.h). A box that needs a level that was not
-   * built (GetLevelsNeeded) counts as visible. `sampleDistance` is how far from the middle of its
-   * pixel a sample may be in x and in y: 0 with one sample, at most 0.5 pixels with more, 0.5 for
-   * smoothed polygons.
+   * of a viewport (vtkNBufferDepthConvention.h). A box that needs a level that was not built
+   * (GetLevelsNeeded) counts as visible. `sampleDistance` is how far from the middle of its pixel a
+   * sample may be in x and in y: 0 with one sample, at most 0.5 pixels otherwise.
    */
-  explicit vtkNBufferOcclusionTest(const vtkNBufferLevels& levels, double sampleDistance = 0.5);
+  explicit vtkNBufferOcclusionTest(const vtkNBufferLevels& levels, double sampleDistance = 0.5)
+    : Levels(levels)
+    , SampleDistance(sampleDistance)
+  {
+  }
 
   /**
    * By how much the nearest depth of the box is beyond the farthest depth in its rectangle, in

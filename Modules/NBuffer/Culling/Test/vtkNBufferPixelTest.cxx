@@ -87,7 +87,17 @@ void vtkNBufferPixelTest::SetOutline(const vtkNBufferBox& box, const vtkNBufferS
   this->NumberOfEdges = 0;
   if (!screen.Clipped)
   {
-    this->SetEdges(box, screen);
+    std::array<glm::dvec2, 8> points = this->Projection.GetCorners(box);
+    std::array<glm::dvec2, 16> hull;
+    const int count = GetHull(points, hull);
+    const glm::dvec2 slack = this->GetSlack(screen);
+    for (int i = 0; i < count && count <= 8; ++i)
+    {
+      const glm::dvec2& from = hull[i];
+      const glm::dvec2& to = hull[(i + 1) % count];
+      // The outward normal of an edge that has the hull on its left.
+      this->AddEdge({ to.y - from.y, from.x - to.x }, points, slack);
+    }
   }
 
   this->Nearest = screen.Nearest;
@@ -98,21 +108,6 @@ void vtkNBufferPixelTest::SetOutline(const vtkNBufferBox& box, const vtkNBufferS
     {
       this->Planes[this->NumberOfPlanes++] = *plane;
     }
-  }
-}
-
-void vtkNBufferPixelTest::SetEdges(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
-{
-  std::array<glm::dvec2, 8> points = this->Projection.GetCorners(box);
-  std::array<glm::dvec2, 16> hull;
-  const int count = GetHull(points, hull);
-  const glm::dvec2 slack = this->GetSlack(screen);
-  for (int i = 0; i < count && count <= 8; ++i)
-  {
-    const glm::dvec2& from = hull[i];
-    const glm::dvec2& to = hull[(i + 1) % count];
-    // The outward normal of an edge that has the hull on its left.
-    this->AddEdge({ to.y - from.y, from.x - to.x }, points, slack);
   }
 }
 

@@ -5,8 +5,7 @@
  * @brief Whether a box or a mesh lies behind every sample that its outline covers. No OpenGL.
  *
  * This test is for boxes that vtkNBufferOcclusionTest did not find hidden. Where the whole depth
- * image is in host memory, looking at the pixels takes far less time than drawing a false-visible
- * prop:
+ * image is in host memory, that takes far less time than drawing a false-visible prop:
  *
  *     +---------------------+      The rectangle of a box also covers what is around its outline
  *     |     .--------.      |      (the sky above a hidden house), and its nearest depth is that
@@ -68,15 +67,12 @@ public:
    * orders of depth of the projection's viewport. `depth` is the image of orders that they were
    * made from, row 0 at the bottom. In a parallel program the texels of `levels` may be nearer than
    * their pixels, because of what other ranks have drawn; of a pixel and its texel the nearer one
-   * counts. `sampleDistance` is how far from the middle of its pixel a
-   * sample may be in x and in y: 0 with one sample, at most 0.5 pixels with more, 0.5 for smoothed
-   * polygons.
+   * counts. `sampleDistance` is that of vtkNBufferOcclusionTest.
    */
   vtkNBufferPixelTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
     const float* depth, double sampleDistance);
 
-  /// True only if nothing of the box can be seen. `screen` is what projection.Project() gave for
-  /// the box.
+  /// True only if nothing of the box can be seen. `screen` is the result of projection.Project().
   bool IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
 
   /**
@@ -84,8 +80,7 @@ public:
    * box, which has no Margin and is Inside. `toWorld` is the matrix from the coordinates of the
    * mesh to the world, row by row. The test begins with triangle `first`, which may be any number,
    * and ends after `count` triangles; if there are more, false says nothing of them. If a triangle
-   * may be visible, `first` is set to it: in the next frame the test then mostly ends with its
-   * first triangle.
+   * may be visible, `first` is set to it, with which the next test mostly ends.
    */
   bool MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
     const vtkNBufferScreenBox& screen, std::size_t& first, std::size_t count);
@@ -110,7 +105,6 @@ private:
   /// Add the edge with this outward normal that has all points, slack included, on its inner side.
   template <typename Points>
   void AddEdge(const glm::dvec2& normal, const Points& points, const glm::dvec2& slack);
-  void SetEdges(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
   /// Set the box under test.
   void SetOutline(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
   /// Set the triangle under test, with x and y in pixels and the order of depth in z.
