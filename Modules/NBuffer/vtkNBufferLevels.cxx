@@ -123,15 +123,9 @@ void vtkNBufferLevels::BuildBase(const float* depth, int width, int height, int 
   {
     return;
   }
-  float* base = this->GetLevelData(0);
-  if (extremum == vtkNBufferExtremum::Maximum)
-  {
-    ReduceToBase<Maximum>(depth, width, height, factor, rows, base);
-  }
-  else
-  {
-    ReduceToBase<Minimum>(depth, width, height, factor, rows, base);
-  }
+  const auto reduce =
+    extremum == vtkNBufferExtremum::Maximum ? &ReduceToBase<Maximum> : &ReduceToBase<Minimum>;
+  reduce(depth, width, height, factor, rows, this->GetLevelData(0));
 }
 
 int vtkNBufferLevels::BuildLevels(int count)

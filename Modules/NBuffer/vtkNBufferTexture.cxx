@@ -117,8 +117,7 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
 {
   if (this->Window != window)
   {
-    // This releases the objects of another window. Most window classes then leave that window's
-    // context current.
+    // This releases the objects of another window, whose context mostly stays current then.
     this->ResourceCallback->RegisterGraphicsResources(window);
     this->Window = window;
     window->MakeCurrent();

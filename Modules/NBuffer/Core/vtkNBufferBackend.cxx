@@ -159,12 +159,11 @@ vtkNBufferDecision vtkNBufferBackend::ReadBack(vtkNBufferTexture* texture, const
     why = texture->GetError();
     return vtkNBufferDecision::NoDepth;
   }
-  vtkNBufferStatistics& statistics = job.Statistics;
-  statistics.ReadTime += clock.GetMilliseconds();
-  ++statistics.ReadBacks;
+  job.Statistics.ReadTime += clock.GetMilliseconds();
+  ++job.Statistics.ReadBacks;
   for (const vtkNBufferRectangle& rectangle : rectangles)
   {
-    statistics.BytesRead +=
+    job.Statistics.BytesRead +=
       static_cast<long long>(sizeof(float)) * rectangle.GetWidth() * rectangle.GetHeight();
     for (int y = rectangle.Y0; y < rectangle.Y1; ++y)
     {
@@ -226,10 +225,9 @@ vtkNBufferDecision vtkNBufferBackend::ReadDepth(const Job& job, std::string& why
     return vtkNBufferDecision::NoDepth;
   }
   vtkNBufferDepthConvention::ToOrders(job.Source.Stored, depth, end - first);
-  vtkNBufferStatistics& statistics = job.Statistics;
-  statistics.ReadTime += clock.GetMilliseconds();
-  ++statistics.ReadBacks;
-  statistics.BytesRead += static_cast<long long>(sizeof(float) * (end - first));
+  job.Statistics.ReadTime += clock.GetMilliseconds();
+  ++job.Statistics.ReadBacks;
+  job.Statistics.BytesRead += static_cast<long long>(sizeof(float) * (end - first));
   return vtkNBufferDecision::None;
 }
 

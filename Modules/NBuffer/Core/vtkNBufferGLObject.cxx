@@ -16,8 +16,7 @@ struct Functions
   void (*Delete)(GLuint*);
 };
 
-/// The functions of OpenGL for each ObjectType. They are wrapped because their addresses are known
-/// only after OpenGL has been loaded.
+/// The functions of OpenGL for each ObjectType, whose addresses are known when it has been loaded.
 constexpr Functions FunctionsOf[] = {
   { [](GLuint* name) { glGenBuffers(1, name); }, [](GLuint* name) { glDeleteBuffers(1, name); } },
   { [](GLuint* name) { glGenFramebuffers(1, name); },

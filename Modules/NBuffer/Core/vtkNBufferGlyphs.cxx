@@ -19,8 +19,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-using Arrays = vtkNBufferProtectedMembers::GlyphArrays;
-
 /// The scale by which VTK replaces a scale of 0.
 constexpr double SmallestScale = 1.0e-10;
 
@@ -172,7 +170,7 @@ std::vector<std::array<double, 16>> GetMatrices(vtkGlyph3DMapper* mapper)
   std::vector<std::array<double, 16>> matrices;
   vtkDataSet* data = GetData(mapper);
   const vtkIdType points = data->GetNumberOfPoints();
-  const Arrays arrays = vtkNBufferProtectedMembers::GetGlyphArrays(mapper, data);
+  const auto arrays = vtkNBufferProtectedMembers::GetGlyphArrays(mapper, data);
   const int mode = mapper->GetOrientationMode();
   auto* mask = vtkBitArray::SafeDownCast(arrays.Mask); // VTK ignores masks of other types.
   const bool isUsable = (!arrays.Orientation ||

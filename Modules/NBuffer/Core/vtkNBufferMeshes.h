@@ -52,8 +52,7 @@ public:
     ///@}
   };
 
-  /// Count a frame. In every 256th frame, release the meshes in `kept` that have not been requested
-  /// for more than 256 frames.
+  /// Count a frame. In every 256th frame, release what is unused in `kept`.
   void BeginFrame(std::vector<OfProp>& kept);
 
   /// Forget the polydata whose meshes have been released.

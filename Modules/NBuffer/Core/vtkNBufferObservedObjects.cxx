@@ -21,8 +21,7 @@ struct vtkNBufferObservedObjects::Record
   std::unordered_map<vtkObject*, vtkCommand*> Commands;
 };
 
-/// Observes one object. Only that object refers to the command, so that the command is destroyed
-/// when its observer is removed.
+/// Observes one object, which alone refers to it: it is destroyed when the observer is removed.
 class vtkNBufferObservedObjects::Command : public vtkCommand
 {
 public:
@@ -49,18 +48,13 @@ public:
 protected:
   ~Command() override
   {
-    // VTK destroys the observers of an object when nothing refers to the object any more.
-    const bool isDeleted = !this->IsDone && this->Object->GetReferenceCount() <= 0;
-    const bool isLost = !this->IsDone && !isDeleted;
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
     this->Shared->Commands.erase(this->Object);
-    if (isLost)
+    if (!this->IsDone)
     {
-      this->Shared->Lost = true;
-    }
-    if (isDeleted)
-    {
-      this->Shared->Changed = true;
+      // VTK destroys the observers of an object when nothing refers to the object any more.
+      const bool isDeleted = this->Object->GetReferenceCount() <= 0;
+      (isDeleted ? this->Shared->Changed : this->Shared->Lost) = true;
     }
   }
 
@@ -90,6 +84,7 @@ vtkNBufferObservedObjects::~vtkNBufferObservedObjects()
 
 bool vtkNBufferObservedObjects::Add(vtkObject* object)
 {
+  Command* command = nullptr;
   {
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
     if (this->Shared->Commands.count(object) > 0)
@@ -100,10 +95,7 @@ bool vtkNBufferObservedObjects::Add(vtkObject* object)
     {
       return false;
     }
-  }
-  auto* command = new Command(object, this->Shared);
-  {
-    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    command = new Command(object, this->Shared);
     this->Shared->Commands.emplace(object, command);
   }
   // The highest priority: another observer that is called first could abort the event.

@@ -62,7 +62,6 @@ public:
 
   ///@{
   /// The items, in the order of the list.
-  std::vector<T>& GetItems() { return this->Items; }
   const std::vector<T>& GetItems() const { return this->Items; }
   T& operator[](std::size_t place) { return this->Items[place]; }
   const T& operator[](std::size_t place) const { return this->Items[place]; }

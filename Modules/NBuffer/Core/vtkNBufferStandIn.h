@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferStandIn
- * @brief Base class of the props that vtkNBufferCuller puts into a renderer's list in the place of
- * the renderer's own props.
+ * @brief Base class of the props that vtkNBufferCuller puts into a renderer's list for others.
  *
  * A renderer and its passes treat a stand-in as any other prop. Render passes speak to props
  * through vtkProp::GetPropertyKeys(): vtkOpenGLRenderPass::RenderPasses() lets a pass change the
@@ -11,8 +10,7 @@
  * while depth peeling draws. A ForwardedKeys object copies both from a stand-in to a prop that it
  * represents, for the time in which that prop is drawn.
  *
- * Code outside the culler recognises stand-ins by this class and needs to know nothing else about
- * the culler.
+ * Code outside of the culler recognises stand-ins by this class.
  */
 #ifndef vtkNBufferStandIn_h
 #define vtkNBufferStandIn_h
@@ -31,8 +29,7 @@ class vtkNBufferStandIn : public vtkProp
 public:
   vtkTypeMacro(vtkNBufferStandIn, vtkProp);
 
-  /// Draws a prop, or some of its units, by calling `drawWhole`; or draws nothing. Returns the
-  /// number of props drawn.
+  /// Draws a prop, some of its units or nothing, by `drawWhole`. Returns the number of props drawn.
   using Drawer = std::function<int(const std::function<int()>& drawWhole)>;
 
 protected:

@@ -87,8 +87,7 @@ bool HasLines(vtkDataObject* data, bool orVertices)
     });
 }
 
-/// Add a part for the data or, if it is composite, for each block. `part` has the attributes that
-/// these inherit.
+/// Add parts for the data or, if it is composite, its blocks, which inherit attributes of `part`.
 void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data,
   vtkNBufferSurface::Part part, std::vector<vtkNBufferSurface::Part>& parts)
 {

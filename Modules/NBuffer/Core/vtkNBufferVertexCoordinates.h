@@ -5,8 +5,7 @@
  * @brief How large the coordinates in the vertex buffers of a mapper are.
  *
  * VTK may shift and scale vertices before it rounds them to floats, so the rounding error depends
- * on how far they are from `Origin`. No vertex is farther from it than `HalfRange`. Both are in
- * model coordinates.
+ * on how far they are from `Origin`. No vertex is farther from it than `HalfRange`, in the model.
  */
 #ifndef vtkNBufferVertexCoordinates_h
 #define vtkNBufferVertexCoordinates_h
@@ -28,8 +27,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferVertexCoordinates
     vtkMapper* mapper, const vtkBoundingBox* all = nullptr);
 
   /// Those of points between `low` and `high` if they are all points of a mapper. This is an
-  /// estimate for blocks, of which VTK moves all or none. `mapper` may be nullptr: one with VTK's
-  /// defaults.
+  /// estimate for blocks, of which VTK moves all or none. nullptr is a mapper with VTK's defaults.
   static vtkNBufferVertexCoordinates Estimate(
     vtkMapper* mapper, const glm::dvec3& low, const glm::dvec3& high);
 
