@@ -35,8 +35,7 @@ bool HasUsableBounds(const double* bounds)
     std::all_of(bounds, bounds + 6, [](double value) { return std::abs(value) < Infinite; });
 }
 
-/// Whether a matrix leaves w as it is. VTK's bounds of what other ones project are not those of
-/// what the device draws.
+/// Whether a matrix leaves w as it is. VTK's bounds are wrong for what other ones project.
 bool IsAffine(vtkMatrix4x4* matrix)
 {
   const double* row = matrix->Element[3];

@@ -75,8 +75,7 @@ public:
   const Work& GetWork() const { return this->Done; }
 
   ///@{
-  /// To be called before Update() if the list has changed, or if the verdict or the box of the prop
-  /// at `place` has changed.
+  /// To be called before Update() if the list, or the verdict or box of one prop, has changed.
   void ListHasChanged();
   void HasChanged(int place);
   ///@}

@@ -39,8 +39,7 @@ struct vtkNBufferUnitCulling::Tests
   const vtkNBufferUnitAnswers* Answers = nullptr;
 };
 
-/// Call function(level, begin, end) for ranges of nodes that together have all units, in parallel
-/// if there are many.
+/// Call function(level, begin, end), maybe in parallel, for ranges of nodes that have all units.
 template <typename Function>
 void vtkNBufferUnitCulling::RunInThreads(const Function& function)
 {

@@ -41,8 +41,7 @@ public:
   vtkTypeMacro(vtkNBufferFrameGuard, vtkCommand);
 
   ///@{
-  /// Observe a renderer until Detach() is called. The renderer's list of observers owns the guard,
-  /// too.
+  /// Observe a renderer, whose list of observers owns the guard, too, until Detach() is called.
   void Attach(vtkRenderer* renderer);
   void Detach();
   ///@}
@@ -50,8 +49,7 @@ public:
   /// To be called when the renderer begins to draw a frame that `culler` culls.
   void BeginFrame(vtkObject* culler);
 
-  /// Called by the renderer at the end of a frame and when it is deleted, and by the renderer's
-  /// collection of props when it changes.
+  /// Called when a frame ends, the renderer is deleted, or its collection of props changes.
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
 protected:

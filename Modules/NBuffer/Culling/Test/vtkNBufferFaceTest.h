@@ -8,12 +8,11 @@
  * most props, in some ten nanoseconds, that none of their triangles is low enough to be drawn in
  * front of what hides the prop. No OpenGL.
  *
- * A face is a sequence of triangles of a mesh in one plane. Let n be its unit normal, a one of its
- * points, and h the smallest height of its triangles over their longest sides, in the world. On the
- * screen, relative to the middle of the view, a point p is at (x / w, y / w), with x, y and w
- * linear in p. The area of the parallelogram that a triangle spans on the screen is the determinant
- * of the three values of its corners, divided by the three w. Both this determinant and the plane
- * of the triangle are multilinear in the corners, so that (Cauchy-Binet)
+ * Let n, a and h of a face be those of vtkNBufferFaces.h. On the screen, relative to the middle of
+ * the view, a point p is at (x / w, y / w), with x, y and w linear in p. The area of the
+ * parallelogram that a triangle spans on the screen is the determinant of the three values of its
+ * corners, divided by the three w. Both this determinant and the plane of the triangle are
+ * multilinear in the corners, so that (Cauchy-Binet)
  *
  *     area = L |n . (e - g a)| h / (w1 w2 w3),
  *
@@ -31,8 +30,7 @@
  *     height - 2 |E'| - 64 u (longest side) >= (2^-8.5 + 16 u n) (R + 2 errors of depth) / slack.
  *
  * What hides the box is usually much nearer than the box. This clearance (vtkNBufferState) is added
- * to the slack. With it only triangles remain that are hardly higher than the errors of their
- * corners.
+ * to the slack. Only triangles hardly higher than the errors of their corners remain.
  *
  * A face that fails this is examined more closely. On the screen its plane is almost a line. Let m
  * be the unit vector across this line.

@@ -25,8 +25,7 @@ constexpr auto& Evaluate = vtkNBufferBoxError::Evaluate;
 class vtkNBufferProjection::Extent
 {
 public:
-  /// An empty extent for points of `box`. `worldToClip` are the rows of the matrix that gives their
-  /// clip coordinates.
+  /// An empty extent for points of `box`, whose clip coordinates the rows of the matrix give.
   Extent(const Rows& worldToClip, const vtkNBufferBox& box)
   {
     for (int i = 0; i < 4; ++i)
@@ -84,8 +83,7 @@ void vtkNBufferProjection::Set(const double worldToClip[16], int width, int heig
   this->Width = width;
   this->Height = height;
   this->Error.Set(format, origin, glm::ivec2(width, height), subpixelBits);
-  // If there is no inverse all its elements are NaN, which every comparison below takes for
-  // "unknown".
+  // Without an inverse its elements are NaN, which every comparison below takes for "unknown".
   this->ClipToWorld.Set(worldToClip);
   for (int i = 0; i < 4; ++i)
   {
@@ -348,8 +346,7 @@ vtkNBufferContact vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
   }
   if (placement == vtkNBufferPlacement::Inside)
   {
-    // The fragments of this box are drawn with its errors. Its border may be wider by less than one
-    // pixel.
+    // The fragments of this box have its errors. Its border may be wider by less than one pixel.
     const int wider = screen.Border > sharedScreen.Border ? 1 : 0;
     const auto cut = [wider](const vtkNBufferRectangle& pixels, const vtkNBufferRectangle& to) {
       return pixels.GetIntersection({ to.X0 - wider, to.Y0 - wider, to.X1 + wider, to.Y1 + wider });

@@ -63,8 +63,7 @@
  * A device also cuts triangles (at the near plane, the sides of the view and clipping planes),
  * which may make them lower than they were. The test does not cover these.
  *
- * Most triangles own no sample or are no slivers. For these the test takes about 30 ns per
- * triangle.
+ * Most triangles own no sample or are no slivers, for which the test takes about 30 ns.
  */
 #ifndef vtkNBufferSliverTest_h
 #define vtkNBufferSliverTest_h
@@ -116,8 +115,7 @@ private:
     glm::ivec2 Last;
   };
 
-  /// Project a point. `reach` is how far, in x and in y, a sample that a point owns may be from the
-  /// point.
+  /// Project a point. A sample that it owns is at most `reach` away from it in x and in y.
   Point Project(
     const glm::dvec3& place, const vtkNBufferProjection::Rows& toWindow, double reach) const;
 
