@@ -75,6 +75,13 @@ bool IsFinite(const glm::vec<n, double>& x)
     glm::value_ptr(x), glm::value_ptr(x) + n, [](double value) { return std::isfinite(value); });
 }
 
+/// The smallest float that is not less than a number.
+inline float RoundUp(double x)
+{
+  const auto rounded = static_cast<float>(x);
+  return rounded < x ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
+
 /// The vector scaled to unit length, rounded as by vtkMath::Normalize(); a null vector stays null.
 /// (glm::normalize() multiplies by a rounded reciprocal, and divides by zero for a null vector.)
 inline glm::dvec3 Normalize(const glm::dvec3& x)

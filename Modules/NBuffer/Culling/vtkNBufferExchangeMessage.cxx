@@ -3,9 +3,9 @@
 #include "vtkNBufferExchangeMessage.h"
 
 #include "vtkNBufferDepthConvention.h"
+#include "vtkNBufferGLM.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <tuple>
 
@@ -15,13 +15,6 @@ namespace
 constexpr std::size_t ViewSize = std::tuple_size<decltype(vtkNBufferRankReport::View)>::value;
 constexpr std::size_t Maxima = 4; // Step, Changed, Misfit and NewProps.
 constexpr std::size_t Sums = 3;   // Candidates, Gain and Unhidden, each with a float for each rank.
-
-/// A float that is not less than a double.
-float RoundUp(double value)
-{
-  const auto rounded = static_cast<float>(value);
-  return rounded < value ? std::nextafter(rounded, HUGE_VALF) : rounded;
-}
 
 int AddNegated(const float* begin, int count)
 {
@@ -45,7 +38,7 @@ void vtkNBufferExchangeMessage::SetReport(const vtkNBufferRankReport& report)
   float* next =
     std::copy(report.View.begin(), report.View.end(), this->Values.data() + this->Texels);
   next = std::transform(report.View.begin(), report.View.end(), next, std::negate<>());
-  *next++ = -RoundUp(report.Step);
+  *next++ = -vtkNBufferGLM::RoundUp(report.Step);
   *next++ = report.Changed ? -1.0F : 0.0F;
   *next++ = report.Misfit ? -1.0F : 0.0F;
   *next++ = static_cast<float>(-report.NewProps);

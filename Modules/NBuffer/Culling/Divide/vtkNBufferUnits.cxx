@@ -3,7 +3,6 @@
 #include "vtkNBufferUnits.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -24,15 +23,6 @@ constexpr std::size_t WorthDraws = 4;
 /// The largest number of groups that GetGroups() returns.
 constexpr std::size_t MaximumNumberOfGroups = 16;
 
-/// The largest float that is not above x, or with 1 for `sign` the smallest that is not below.
-float RoundOutward(double x, int sign)
-{
-  const auto rounded = static_cast<float>(x);
-  const bool isInside = sign < 0 ? rounded > x : rounded < x;
-  return isInside ? std::nextafter(rounded, sign * std::numeric_limits<float>::infinity())
-                  : rounded;
-}
-
 Box GetEmpty()
 {
   const float infinity = std::numeric_limits<float>::infinity();
@@ -51,8 +41,8 @@ void Include(Box& box, const glm::dvec3& point)
   for (int k = 0; k < 3; ++k)
   {
     const float infinity = std::numeric_limits<float>::infinity();
-    box.Low[k] = isFinite ? std::min(box.Low[k], RoundOutward(point[k], -1)) : -infinity;
-    box.High[k] = isFinite ? std::max(box.High[k], RoundOutward(point[k], 1)) : infinity;
+    box.Low[k] = isFinite ? std::min(box.Low[k], -vtkNBufferGLM::RoundUp(-point[k])) : -infinity;
+    box.High[k] = isFinite ? std::max(box.High[k], vtkNBufferGLM::RoundUp(point[k])) : infinity;
   }
 }
 
