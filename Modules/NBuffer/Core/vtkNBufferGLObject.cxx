@@ -16,7 +16,7 @@ struct Functions
   void (*Delete)(GLuint*);
 };
 
-/// The functions of OpenGL for each ObjectType, whose addresses are known when it has been loaded.
+/// OpenGL's functions for each ObjectType, wrapped: they have no address before it is loaded.
 constexpr Functions FunctionsOf[] = {
   { [](GLuint* name) { glGenBuffers(1, name); }, [](GLuint* name) { glDeleteBuffers(1, name); } },
   { [](GLuint* name) { glGenFramebuffers(1, name); },

@@ -31,7 +31,7 @@ class vtkObject;
 class VTKNBUFFER_EXPORT vtkNBufferObservedObjects
 {
 public:
-  /// How many objects are observed at most. More would save less time than memory is worth.
+  /// How many objects are observed at most. More would not be worth their memory.
   static constexpr std::size_t MaximumSize = 1 << 18;
 
   vtkNBufferObservedObjects();

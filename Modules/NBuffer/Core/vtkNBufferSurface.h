@@ -70,7 +70,7 @@ public:
   /// The input of a plain mapper if it is one vtkPolyData, and no subclass; otherwise nullptr.
   static vtkPolyData* GetOnlyPolyData(vtkMapper* mapper);
 
-  /// The mapper that draws a mesh for this one, or for a vtkDataSetMapper; nullptr for other data.
+  /// The mapper that draws a mesh: this one, or that of a vtkDataSetMapper; nullptr for other data.
   static vtkOpenGLPolyDataMapper* GetDrawingMapper(vtkMapper* mapper);
 
   /// The textures of an actor and of its property, which is created if it is missing.

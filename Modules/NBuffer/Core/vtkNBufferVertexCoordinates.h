@@ -5,7 +5,8 @@
  * @brief How large the coordinates in the vertex buffers of a mapper are.
  *
  * VTK may shift and scale vertices before it rounds them to floats, so the rounding error depends
- * on how far they are from `Origin`. No vertex is farther from it than `HalfRange`, in the model.
+ * on how far they are from `Origin`. No vertex is farther from it than `HalfRange`. Both are in
+ * model coordinates.
  */
 #ifndef vtkNBufferVertexCoordinates_h
 #define vtkNBufferVertexCoordinates_h

@@ -75,7 +75,7 @@ public:
   const Work& GetWork() const { return this->Done; }
 
   ///@{
-  /// To be called before Update() if the list, or the verdict or box of one prop, has changed.
+  /// To be called before Update() if the list, or verdict or box of one prop, has changed.
   void ListHasChanged();
   void HasChanged(int place);
   ///@}

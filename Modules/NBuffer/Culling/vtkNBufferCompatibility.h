@@ -34,7 +34,8 @@ struct vtkNBufferViewKey;
 
 namespace vtkNBufferCompatibility
 {
-/// Get the reason why `self` must not cull the next frame of `renderer`, which has these props.
+/// Get the reason why `self` must not cull the next frame of `renderer`, which has these props, or
+/// None if it may.
 VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(
   vtkRenderer* renderer, vtkCuller* self, vtkProp** props, int count);
 

@@ -90,7 +90,7 @@ public:
 
   /// Test the units of the props that have been drawn, and of those in `heldBack`. Removes props
   /// without visible units from `heldBack`. Returns whether all visible units of the props that
-  /// have been drawn are fresh now; more than `limit` of a prop may be left to the next test.
+  /// have been drawn are fresh now; more than `limit` of one prop may wait for the next test.
   bool Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack, int limit);
 
   /// Test the units of the translucent props that are not hidden as a whole and for which

@@ -35,7 +35,8 @@ namespace vtkNBufferFirstDraws
 {
 /// Find the candidates whose first draw is due, and make the shader properties of others. To be
 /// called when the uses of candidates have changed, after it is known which are mixed
-/// (vtkNBufferSharedState). `mappersOfParts` are those of assemblies, which may have been drawn.
+/// (vtkNBufferSharedState). `mappersOfParts` are the mappers of parts of assemblies, which may have
+/// been drawn.
 void Find(const std::vector<vtkNBufferCandidate>& candidates,
   const std::unordered_set<const vtkMapper*>& mappersOfParts, std::vector<vtkNBufferState>& states);
 

@@ -39,7 +39,7 @@ struct vtkNBufferUnitCulling::Tests
   const vtkNBufferUnitAnswers* Answers = nullptr;
 };
 
-/// Call function(level, begin, end), maybe in parallel, for ranges of nodes that have all units.
+/// Call function(level, begin, end), perhaps in parallel, for ranges of nodes that have all units.
 template <typename Function>
 void vtkNBufferUnitCulling::RunInThreads(const Function& function)
 {

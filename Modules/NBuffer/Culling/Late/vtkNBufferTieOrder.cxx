@@ -23,7 +23,7 @@ struct TieSource
   vtkNBufferRectangle Pixels;
 };
 
-/// Such draws, sorted into tiles of the viewport.
+/// The sources of ties, sorted into tiles of the viewport.
 class TieSources
 {
 public:
