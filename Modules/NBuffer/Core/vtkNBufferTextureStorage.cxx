@@ -82,8 +82,8 @@ bool vtkNBufferTextureStorage::AllocateFramebuffers(int levels, std::string& why
       GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->GetArray(level), 0, GetLayer(level));
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     {
-      why = "The device cannot draw into float textures (R32F). Use the CPU back-end without "
-            "multisampling.";
+      why = "The device cannot draw into float textures (R32F or RG32F). Use the CPU back-end "
+            "without multisampling.";
       vtkNBufferGL::ClearErrors();
       return false;
     }
