@@ -43,40 +43,31 @@ constexpr GLenum CounterCapabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_CO
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
 
-/// A range of indices.
-struct Range
-{
-  const void* GetPlace() const
-  {
-    return reinterpret_cast<const void*>(this->First * sizeof(unsigned int));
-  }
-
-  int First;
-  int Count;
-};
-
 void SetBox(const vtkNBufferRectangle& box, const int viewport[4])
 {
   glScissor(viewport[0] + box.X0, viewport[1] + box.Y0, box.GetWidth(), box.GetHeight());
 }
 
-void DrawRange(const Range& range)
+/// Where an index is in the buffer of indices.
+const void* GetPlace(int index)
 {
-  glDrawElements(GL_TRIANGLES, range.Count, GL_UNSIGNED_INT, range.GetPlace());
+  return reinterpret_cast<const void*>(index * sizeof(unsigned int));
 }
 
 /// How triangles are drawn: by z-pass or z-fail, with or without the polygon offset, and for how
 /// much rounding they are pushed in addition.
 using Way = std::tuple<bool, bool, float>;
 
-/// Triangles, and where they are drawn.
+/// A range of indices, and where its triangles are drawn.
 struct Piece
 {
-  Range Triangles;
+  int First;
+  int Count;
   vtkNBufferRectangle Box;
 };
 
-/// The draws by the ways in which they are drawn.
+/// The draws by the ways in which they are drawn. Pieces that follow each other in the same box are
+/// one, because counts in the stencil do not depend on the order of volumes.
 std::map<Way, std::vector<Piece>> GetPieces(const vtkShadowDraw* first, const vtkShadowDraw* last)
 {
   std::map<Way, std::vector<Piece>> pieces;
@@ -84,52 +75,24 @@ std::map<Way, std::vector<Piece>> GetPieces(const vtkShadowDraw* first, const vt
   {
     const auto add = [&pieces, draw](bool isOffset, int begin, int end)
     {
-      if (end > begin)
+      if (end <= begin)
       {
-        pieces[{ draw->ZPass, isOffset, draw->Rounding }].push_back(
-          { { draw->FirstIndex + begin, end - begin }, draw->Box });
+        return;
       }
+      std::vector<Piece>& ofWay = pieces[{ draw->ZPass, isOffset, draw->Rounding }];
+      const int first = draw->FirstIndex + begin;
+      if (ofWay.empty() || !(ofWay.back().Box == draw->Box) ||
+        ofWay.back().First + ofWay.back().Count != first)
+      {
+        ofWay.push_back({ first, 0, draw->Box });
+      }
+      ofWay.back().Count += end - begin;
     };
     add(true, 0, draw->NumberOfOffsetIndices);
     add(false, draw->NumberOfOffsetIndices, draw->NumberOfIndices);
   }
   return pieces;
 }
-
-/// Draws into the same box with the same OpenGL state, which one call draws. Counts in the stencil
-/// do not depend on the order of volumes.
-class Batch
-{
-public:
-  void Add(const Range& range)
-  {
-    if (range.First == this->End)
-    {
-      this->Counts.back() += range.Count;
-    }
-    else
-    {
-      this->Counts.push_back(range.Count);
-      this->Places.push_back(range.GetPlace());
-    }
-    this->End = range.First + range.Count;
-  }
-
-  void Draw() const
-  {
-    if (this->Counts.empty())
-    {
-      return;
-    }
-    glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Places.data(),
-      static_cast<GLsizei>(this->Counts.size()));
-  }
-
-private:
-  std::vector<GLsizei> Counts;
-  std::vector<const void*> Places;
-  int End = -1; ///< The index after the last one that was added.
-};
 }
 
 vtkShadowCounter::vtkShadowCounter()
@@ -218,9 +181,13 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
 {
   vtkNBufferGL::ClearErrors();
   const bool isOffsetByShader = !vtkNBufferGL::OffsetsBeyondFarPlane();
-  std::string fragmentShader = vtkShadowVolumeFS;
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::NBuffer::Dec",
-    isOffsetByShader ? "#define NBUFFER_SHADOW_OFFSET 1" : "#define NBUFFER_SHADOW_OFFSET 0");
+  std::string fragmentShader; // only for the first call, which compiles it
+  if (!this->VolumeProgram)
+  {
+    fragmentShader = vtkShadowVolumeFS;
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::NBuffer::Dec",
+      isOffsetByShader ? "#define NBUFFER_SHADOW_OFFSET 1" : "#define NBUFFER_SHADOW_OFFSET 0");
+  }
   if (!this->BeginVolumes(window, this->VolumeProgram, fragmentShader, volume, view, why))
   {
     return false;
@@ -264,21 +231,24 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
     for (const auto& [way, ofWay] : pieces)
     {
       setState(way);
-      Batch batch; // what is drawn into the whole viewport
-      for (const Piece& piece : ofWay)
+      std::vector<GLsizei> counts; // of what is drawn into the whole viewport, by one call
+      std::vector<const void*> places;
+      for (const auto& [first, count, box] : ofWay)
       {
-        if (piece.Box == everywhere)
+        if (box == everywhere)
         {
-          batch.Add(piece.Triangles);
+          counts.push_back(count);
+          places.push_back(GetPlace(first));
         }
         else
         {
-          SetBox(piece.Box, view.Viewport);
-          DrawRange(piece.Triangles);
+          SetBox(box, view.Viewport);
+          glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, GetPlace(first));
         }
       }
       SetBox(everywhere, view.Viewport);
-      batch.Draw();
+      glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, places.data(),
+        static_cast<GLsizei>(counts.size()));
     }
   };
   drawAll();
@@ -322,7 +292,7 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const vtkShadowVolume
     this->TintProgram->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
     (draw.ZPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
     SetBox(draw.Box, view.Viewport);
-    DrawRange({ draw.FirstIndex, draw.NumberOfIndices });
+    glDrawElements(GL_TRIANGLES, draw.NumberOfIndices, GL_UNSIGNED_INT, GetPlace(draw.FirstIndex));
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_CLAMP);

@@ -6,11 +6,8 @@
  *
  * A receiver is in shadow if it lies inside a volume. The stencil buffer counts the faces of
  * volumes along the line of sight, and the receivers' depth is in the depth buffer.
- * vtkShadowDrawList.h derives the two ways to count and chooses one of them for each volume:
- *
- *     z-pass  counts the faces before the receiver: a front face is +1, a back face is -1.
- *     z-fail  counts the faces behind the receiver: a back face is +1, a front face is -1. The
- *             volume must be closed.
+ * vtkShadowDrawList.h derives the two ways to count, z-pass and z-fail, and chooses one of them for
+ * each volume.
  *
  * Depth is clamped, so the far plane does not cut volumes open. For z-fail a clip plane removes
  * what lies before the near plane, which z-fail never counts. Counts wrap modulo 256, so the order
