@@ -26,26 +26,21 @@ bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture pi
 {
   std::copy_n(subject.View.Viewport, 4, this->Viewport);
   this->Image.clear();
-  switch (picture)
+  if (picture == vtkShadowPicture::Litmaps)
   {
-    case vtkShadowPicture::None:
-      break;
-    case vtkShadowPicture::Litmaps:
-      this->Image = vtkShadowDebugImage::PaintLitmaps(
-        subject.Litmaps, subject.NumberOfLitmaps, this->GetWidth(), this->GetHeight());
-      break;
-    case vtkShadowPicture::Extents:
-      this->Image =
-        vtkShadowDebugImage::PaintExtents(subject.Draws, this->GetWidth(), this->GetHeight());
-      break;
-    case vtkShadowPicture::Volumes:
-    case vtkShadowPicture::Counts:
-      if (!this->DrawVolumes(window, picture, subject, counter, statistics, why))
-      {
-        this->Image.clear();
-        return false;
-      }
-      break;
+    this->Image = vtkShadowDebugImage::PaintLitmaps(
+      subject.Litmaps, subject.NumberOfLitmaps, this->GetWidth(), this->GetHeight());
+  }
+  else if (picture == vtkShadowPicture::Extents)
+  {
+    this->Image =
+      vtkShadowDebugImage::PaintExtents(subject.Draws, this->GetWidth(), this->GetHeight());
+  }
+  else if (picture != vtkShadowPicture::None &&
+    !this->DrawVolumes(window, picture, subject, counter, statistics, why))
+  {
+    this->Image.clear();
+    return false;
   }
   return true;
 }

@@ -137,15 +137,21 @@ bool vtkShadowTarget::Allocate(
     this->Free();
     this->Width = width;
     this->Height = height;
-    if (!this->AllocateDepth(window, why))
+    this->Depth = this->NewTexture(window);
+    this->Depth->AllocateDepthStencil(width, height);
+    if (!vtkNBufferGL::CheckErrors("Allocating depth and stencil", why) ||
+      !this->Attach(this->DepthFramebuffer, nullptr, why))
     {
       return false;
     }
   }
   while (this->GetNumberOfMasks() < count)
   {
-    this->Masks.emplace_back();
-    if (!this->AllocateMask(window, this->Masks.back(), why))
+    auto& [framebuffer, texture] = this->Masks.emplace_back();
+    texture = this->NewTexture(window);
+    if (!texture->Allocate2D(this->Width, this->Height, 4, VTK_UNSIGNED_CHAR) ||
+      !vtkNBufferGL::CheckErrors("Allocating a shadow mask", why) ||
+      !this->Attach(framebuffer, texture, why))
     {
       return false;
     }
@@ -153,17 +159,9 @@ bool vtkShadowTarget::Allocate(
   return true;
 }
 
-bool vtkShadowTarget::AllocateDepth(vtkOpenGLRenderWindow* window, std::string& why)
+vtkSmartPointer<vtkTextureObject> vtkShadowTarget::NewTexture(vtkOpenGLRenderWindow* window)
 {
   ++this->Allocations;
-  this->Depth = this->NewTexture(window);
-  this->Depth->AllocateDepthStencil(this->Width, this->Height);
-  return vtkNBufferGL::CheckErrors("Allocating depth and stencil", why) &&
-    this->Attach(this->DepthFramebuffer, nullptr, why);
-}
-
-vtkSmartPointer<vtkTextureObject> vtkShadowTarget::NewTexture(vtkOpenGLRenderWindow* window) const
-{
   auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(window);
   texture->SetSamples(
@@ -173,18 +171,6 @@ vtkSmartPointer<vtkTextureObject> vtkShadowTarget::NewTexture(vtkOpenGLRenderWin
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   return texture;
-}
-
-bool vtkShadowTarget::AllocateMask(vtkOpenGLRenderWindow* window, Mask& mask, std::string& why)
-{
-  mask.Texture = this->NewTexture(window);
-  if (!mask.Texture->Allocate2D(this->Width, this->Height, 4, VTK_UNSIGNED_CHAR) ||
-    !vtkNBufferGL::CheckErrors("Allocating a shadow mask", why))
-  {
-    return false;
-  }
-  ++this->Allocations;
-  return this->Attach(mask.Framebuffer, mask.Texture, why);
 }
 
 bool vtkShadowTarget::Attach(

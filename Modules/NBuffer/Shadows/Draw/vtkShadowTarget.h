@@ -152,9 +152,7 @@ private:
   };
 
   bool Allocate(vtkOpenGLRenderWindow* window, int width, int height, int masks, std::string& why);
-  bool AllocateDepth(vtkOpenGLRenderWindow* window, std::string& why);
-  vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window) const;
-  bool AllocateMask(vtkOpenGLRenderWindow* window, Mask& mask, std::string& why);
+  vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window);
   bool Attach(vtkNBufferGL::Framebuffer& framebuffer, vtkTextureObject* color, std::string& why);
   void Free();
 

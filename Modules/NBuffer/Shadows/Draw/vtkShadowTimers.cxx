@@ -4,13 +4,7 @@
 
 #include "vtkNBufferGL.h"
 
-#include "vtkOpenGLRenderTimerLog.h"
-
 VTK_ABI_NAMESPACE_BEGIN
-vtkShadowTimers::vtkShadowTimers() = default;
-
-vtkShadowTimers::~vtkShadowTimers() = default;
-
 void vtkShadowTimers::Begin(bool measure)
 {
   this->Log->SetLoggingEnabled(measure && vtkNBufferGL::HasFeature(3, 3, "GL_ARB_timer_query"));

@@ -18,18 +18,13 @@
 #include "vtkShadowStatistics.h"
 
 #include "vtkNew.h"
+#include "vtkOpenGLRenderTimerLog.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkOpenGLRenderTimerLog;
 
 class VTKNBUFFER_EXPORT vtkShadowTimers
 {
 public:
-  vtkShadowTimers();
-  ~vtkShadowTimers();
-  vtkShadowTimers(const vtkShadowTimers&) = delete;
-  void operator=(const vtkShadowTimers&) = delete;
-
   /**
    * Begins a frame, which is measured if `measure` is true and the device has timers. Without
    * `measure` OpenGL is not called, unless queries of an earlier frame remain to be deleted. The
