@@ -18,18 +18,13 @@ constexpr double TriangleShare = 1.0 / 32;
 
 vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
   std::vector<Face> litmaps, const vtkShadowTuning& tuning)
-  : Litmaps(light, std::move(litmaps))
+  : Litmaps(light, mode == vtkShadowMode::Unclamped ? std::vector<Face>() : std::move(litmaps))
   , Draws(light, view)
-  , Mode(mode)
+  , IsClamped(mode == vtkShadowMode::Clamped)
   , BoxCost(view.Boxes ? tuning.BoxCost : std::numeric_limits<double>::infinity())
   , ConeReach(view.ConeReach)
   , SlabGap(tuning.SlabGap)
 {
-}
-
-bool vtkShadowPlan::HasLitmaps() const
-{
-  return this->Mode != vtkShadowMode::Unclamped && this->Litmaps.IsKnown();
 }
 
 std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(const vtkShadowPart& caster) const
@@ -38,7 +33,7 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(const vtkShadowPart& cas
   {
     return vtkShadowVerdict::Empty;
   }
-  if (!this->HasLitmaps())
+  if (!this->Litmaps.IsKnown())
   {
     return this->Litmaps.IsBeyondReach(caster.Footprint, this->ConeReach)
       ? std::optional(vtkShadowVerdict::OutsideCone)
@@ -71,24 +66,21 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByReceivers(const Lookup&
 
 vtkShadowPlan::Choice vtkShadowPlan::Decide(const vtkShadowPart& caster) const
 {
-  Choice choice;
   if (const auto verdict = this->EarlyOut(caster))
   {
-    choice.Verdict = *verdict;
-    return choice;
+    return { *verdict };
   }
-  if (!this->HasLitmaps())
+  if (!this->Litmaps.IsKnown())
   {
-    choice.Verdict = vtkShadowVerdict::Whole;
-    return choice;
+    return { vtkShadowVerdict::Whole };
   }
   Lookup lookup = this->Litmaps.LookUp(caster.Footprint, caster.Points);
   if (const auto verdict = EarlyOutByReceivers(lookup))
   {
-    choice.Verdict = *verdict;
-    return choice;
+    return { *verdict };
   }
-  const bool clamped = lookup.IsInOneFace && this->Mode == vtkShadowMode::Clamped;
+  Choice choice;
+  const bool clamped = lookup.IsInOneFace && this->IsClamped;
   bool isOnRays = false;
   if (clamped)
   {

@@ -156,7 +156,6 @@ public:
 private:
   using Lookup = vtkShadowLitmapSet::Lookup;
 
-  bool HasLitmaps() const;
   static std::optional<vtkShadowVerdict> EarlyOutByReceivers(const Lookup& lookup);
   /// Returns the boxes of pixels to draw into. `isOnRays` becomes true if any receiver is on the
   /// caster's rays, at any depth; otherwise it stays as it is.
@@ -165,7 +164,7 @@ private:
 
   vtkShadowLitmapSet Litmaps;
   vtkShadowDrawList Draws;
-  vtkShadowMode Mode;
+  bool IsClamped; ///< True in mode Clamped.
   double BoxCost; ///< In pixels; infinite if boxes are not used.
   vtkShadowConeReach ConeReach;
   int SlabGap;
