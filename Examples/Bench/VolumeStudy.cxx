@@ -89,9 +89,8 @@ CasterPixels VolumeStudy::FindNearestCasters(vtkLight* source) const
 bool VolumeStudy::IsConvex(int caster) const
 {
   const vtkShadowCaster& mesh = *this->Casters.GetCasters()[static_cast<std::size_t>(caster)];
-  vtkShadowTopology topology;
-  topology.Build(mesh.GetPoints(), { mesh.GetTriangles().begin(), mesh.GetTriangles().end() });
-  return topology.IsConvex();
+  const std::vector<vtkIdType> triangles(mesh.GetTriangles().begin(), mesh.GetTriangles().end());
+  return vtkShadowTopology(mesh.GetPoints(), triangles).IsConvex();
 }
 
 void VolumeStudy::Check(bool done) const

@@ -67,8 +67,8 @@ struct ShadowCaster
     vtkShadowCounting counting = vtkShadowCounting::Away)
     : Mesh(mesh)
     , Light(light)
+    , Topology(mesh.Points, mesh.Triangles)
   {
-    this->Topology.Build(mesh.Points, mesh.Triangles);
     this->Silhouette.Compute(this->Topology, this->GetPoints(), light, counting);
   }
 

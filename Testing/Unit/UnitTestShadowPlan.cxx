@@ -40,8 +40,8 @@ struct Situation
   explicit Situation(const vtkShadowLight& light, const ShadowMesh& mesh = MakeCube())
     : Light(light)
     , Frame(light)
+    , Topology(mesh.Points, mesh.Triangles)
   {
-    this->Topology.Build(mesh.Points, mesh.Triangles);
     const int viewport[4] = { 10, 20, 300, 200 };
     std::copy_n(viewport, 4, this->View.Viewport);
     // What lies more than 100 below the eye is before the near plane.

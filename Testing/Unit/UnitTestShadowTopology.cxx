@@ -16,9 +16,7 @@ namespace
 {
 vtkShadowTopology Build(const ShadowMesh& mesh)
 {
-  vtkShadowTopology topology;
-  topology.Build(mesh.Points, mesh.Triangles);
-  return topology;
+  return vtkShadowTopology(mesh.Points, mesh.Triangles);
 }
 
 /// Numbers of edges by their number of uses.

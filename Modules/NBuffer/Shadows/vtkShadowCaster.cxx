@@ -17,17 +17,6 @@ static_assert(std::is_nothrow_move_constructible_v<vtkShadowPart>);
 
 namespace
 {
-/// The topology of triangles [begin, end) alone. `points` are the merged points of the whole, in
-/// the coordinates that the part will have.
-std::shared_ptr<const vtkShadowTopology> MakeTopologyOfPart(
-  const vtkShadowTopology& whole, const vtkShadowPoints& points, int begin, int end)
-{
-  auto topology = std::make_shared<vtkShadowTopology>();
-  topology->Build(
-    points, { whole.GetTriangles().begin() + 3 * begin, whole.GetTriangles().begin() + 3 * end });
-  return topology;
-}
-
 /// Clips triangles by a plane. Triangles on both sides of an edge share the new point on it.
 void Clip(std::vector<glm::dvec3>& points, std::vector<vtkIdType>& triangles,
   const vtkShadowCaster::Plane& plane)
@@ -70,7 +59,6 @@ void Clip(std::vector<glm::dvec3>& points, std::vector<vtkIdType>& triangles,
 
 std::shared_ptr<const vtkShadowTopology> vtkShadowCaster::MakeTopology(vtkPolyData* data)
 {
-  auto topology = std::make_shared<vtkShadowTopology>();
   const vtkNBufferMesh mesh = vtkNBufferSurface::GetMesh(data);
   std::vector<vtkIdType> triangles;
   triangles.reserve(3 * mesh.Triangles.size());
@@ -78,8 +66,7 @@ std::shared_ptr<const vtkShadowTopology> vtkShadowCaster::MakeTopology(vtkPolyDa
   {
     triangles.insert(triangles.end(), triangle.begin(), triangle.end());
   }
-  topology->Build(mesh.Points, triangles);
-  return topology;
+  return std::make_shared<const vtkShadowTopology>(mesh.Points, triangles);
 }
 
 bool vtkShadowCaster::Update(const std::shared_ptr<const vtkShadowTopology>& mesh,
@@ -108,10 +95,8 @@ bool vtkShadowCaster::Update(const std::shared_ptr<const vtkShadowTopology>& mes
     {
       Clip(this->Points, triangles, plane);
     }
-    auto clipped = std::make_shared<vtkShadowTopology>();
-    clipped->Build(this->Points, triangles);
-    this->Points = clipped->GetPoints();
-    this->Topology = clipped;
+    this->Topology = std::make_shared<const vtkShadowTopology>(this->Points, triangles);
+    this->Points = this->Topology->GetPoints();
   }
   this->Bounds = vtkShadowBlock();
   for (const glm::dvec3& point : this->Points)
@@ -122,15 +107,16 @@ bool vtkShadowCaster::Update(const std::shared_ptr<const vtkShadowTopology>& mes
   return true;
 }
 
-void vtkShadowCaster::SetRounding(const glm::dvec3& m, const std::optional<double>& moved)
+void vtkShadowCaster::SetRounding(const glm::dvec3& m, const std::array<double, 16>* actor)
 {
   const glm::dmat4 toWorld = vtkNBufferGLM::ToMatrix(this->ToWorld.data());
-  double largest = moved.value_or(0.0);
+  double largest =
+    actor ? glm::length(glm::dvec3(toWorld[3] - vtkNBufferGLM::ToMatrix(actor->data())[3])) : 0.0;
   for (int k = 0; k < 3; ++k)
   {
     largest += glm::length(glm::dvec3(toWorld[k])) * m[k];
   }
-  const double rounding = (moved ? 20.0 : 10.0) * 0x1p-24 * largest;
+  const double rounding = (actor ? 20.0 : 10.0) * 0x1p-24 * largest;
   const double size = glm::length(this->Bounds.High - this->Bounds.Low);
   this->Rounding = std::isfinite(rounding) && rounding > 0x1p-17 * size ? rounding : 0.0;
   for (Slot& slot : this->Slots)
@@ -197,8 +183,10 @@ void vtkShadowCaster::AddPart(Slot& slot, vtkShadowPart part, const vtkShadowLig
     const int middle = triangles / 2;
     for (const auto& [begin, end] : { std::pair(0, middle), std::pair(middle, triangles) })
     {
+      const auto corners = part.Topology->GetTriangles().begin();
       vtkShadowPart half;
-      half.Topology = MakeTopologyOfPart(*part.Topology, *part.Points, begin, end);
+      half.Topology = std::make_shared<const vtkShadowTopology>(
+        *part.Points, std::vector<vtkIdType>(corners + 3 * begin, corners + 3 * end));
       half.Points = &half.Topology->GetPoints();
       half.Rounding = part.Rounding;
       AddPart(slot, std::move(half), space);

@@ -47,7 +47,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -75,20 +74,13 @@ public:
     const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
   /// Sets the rounding, see above, from `m` in the coordinates of the mesh. For an instance of a
-  /// glyph `moved` is how far its place is from that of the actor; the matrix of the instance
-  /// rounds its vertices, too.
-  void SetRounding(const glm::dvec3& m, const std::optional<double>& moved);
+  /// glyph `actor` is the matrix of the actor, else nullptr. The matrix of the instance rounds its
+  /// vertices, too, and how far it moves them from the place of the actor adds to `m`.
+  void SetRounding(const glm::dvec3& m, const std::array<double, 16>* actor);
 
   /// Sets whether the inside of the caster may be seen from everywhere, because its front faces are
   /// not drawn, or have holes. All triangles count then.
   void SetInsideIsSeen(bool seen) { this->InsideIsSeen = seen; }
-
-  /// Where the origin of the mesh is in the world.
-  static glm::dvec3 GetOrigin(const std::array<double, 16>& toWorld)
-  {
-    return { toWorld[3], toWorld[7], toWorld[11] };
-  }
-  glm::dvec3 GetOrigin() const { return GetOrigin(this->ToWorld); }
 
   /// The merged points in world coordinates.
   const vtkShadowPoints& GetPoints() const { return this->Points; }

@@ -275,9 +275,7 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     for (const std::unique_ptr<vtkShadowCaster>& caster : member.Meshes.back().Casters)
     {
       caster->SetInsideIsSeen(isInsideSeen);
-      const auto moved = [&]
-      { return glm::length(caster->GetOrigin() - vtkShadowCaster::GetOrigin(part.ToWorld)); };
-      caster->SetRounding(largest, glyphs ? std::optional<double>(moved()) : std::nullopt);
+      caster->SetRounding(largest, glyphs ? &part.ToWorld : nullptr);
     }
   };
   vtkGlyph3DMapper* glyphs = vtkNBufferGlyphs::GetMapper(actor->GetMapper());
@@ -314,7 +312,7 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
 void vtkShadowCasterList::AddMesh(const vtkNBufferSurface::Part& part, vtkGlyph3DMapper* glyphs,
   int path, const std::vector<vtkNBufferSurface::Plane>& planes, Member& member)
 {
-  Mesh mesh = this->TakeOldMesh(path, part.Mesh, member.Meshes.size());
+  Mesh& mesh = member.Meshes.emplace_back(this->TakeOldMesh(path, part.Mesh, member.Meshes.size()));
   const vtkMTimeType time = part.Mesh->GetMTime();
   const vtkMTimeType instancesTime = glyphs ? vtkNBufferGlyphs::GetTime(glyphs) : 0;
   if (!mesh.Topology || mesh.Time != time)
@@ -324,7 +322,6 @@ void vtkShadowCasterList::AddMesh(const vtkNBufferSurface::Part& part, vtkGlyph3
   else if (mesh.InstancesTime == instancesTime && mesh.ToWorld == part.ToWorld &&
     mesh.Planes == planes)
   {
-    member.Meshes.push_back(std::move(mesh));
     return;
   }
   mesh.Time = time;
@@ -350,7 +347,6 @@ void vtkShadowCasterList::AddMesh(const vtkNBufferSurface::Part& part, vtkGlyph3
     }
     this->Updates += caster->Update(mesh.Topology, places[i], planes) ? 1 : 0;
   }
-  member.Meshes.push_back(std::move(mesh));
 }
 
 vtkShadowCasterList::Mesh vtkShadowCasterList::TakeOldMesh(
@@ -383,9 +379,6 @@ vtkShadowCasterList::Mesh vtkShadowCasterList::TakeOldMesh(
       return take(found->second);
     }
   }
-  Mesh mesh;
-  mesh.Path = path;
-  mesh.Block = block;
-  return mesh;
+  return { path, block };
 }
 VTK_ABI_NAMESPACE_END

@@ -72,10 +72,9 @@ double GetSolidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
 }
 }
 
-void vtkShadowTopology::Build(
+vtkShadowTopology::vtkShadowTopology(
   const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles)
 {
-  *this = vtkShadowTopology();
   this->Triangles.reserve(triangles.size());
   std::unordered_map<glm::dvec3, int, PointHash> numbers;
   numbers.reserve(std::min(points.size(), triangles.size()));

@@ -63,12 +63,11 @@ public:
     int Direction = 0; ///< 1: the triangle goes from A to B, -1: it goes from B to A.
   };
 
-  /**
-   * Builds the topology. `triangles` holds three indices into `points` for each triangle, for at
-   * most 2^31 / 3 triangles. A triangle with an index out of range is left out like one
-   * with a coordinate that is not finite.
-   */
-  void Build(const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles);
+  vtkShadowTopology() = default;
+
+  /// The topology of triangles, at most 2^31 / 3, each of which has three indices into `points`. A
+  /// triangle with an index out of range is left out like one with a coordinate that is not finite.
+  vtkShadowTopology(const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles);
 
   /// The merged points that the kept triangles use, in the order of their first use.
   const vtkShadowPoints& GetPoints() const { return this->Points; }
