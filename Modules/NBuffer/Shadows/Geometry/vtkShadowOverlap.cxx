@@ -10,21 +10,21 @@ namespace
 {
 bool IsFinite(const vtkShadowOverlap::Item& item)
 {
-  return std::isfinite(item.Low[0] + item.Low[1] + item.High[0] + item.High[1]);
+  const vtkShadowBlock& rays = item.Rays;
+  return std::isfinite(rays.Low[0] + rays.Low[1] + rays.High[0] + rays.High[1]);
 }
 }
 
 long long vtkShadowOverlap::GetBound(const std::vector<Item>& items)
 {
-  Item all;
+  vtkShadowBlock all;
   std::size_t finite = 0;
   long long anywhere = 0;
   for (const Item& item : items)
   {
     if (IsFinite(item))
     {
-      all.Low = glm::min(all.Low, item.Low);
-      all.High = glm::max(all.High, item.High);
+      all.Add(item.Rays.Low, item.Rays.High);
       ++finite;
     }
     else
@@ -60,8 +60,8 @@ long long vtkShadowOverlap::GetBound(const std::vector<Item>& items)
     for (int i = 0; i < 2; ++i)
     {
       const double margin = 1e-6 * (all.High[i] - all.Low[i]); // far above the rounding of p and q
-      low[i] = getCell(item.Low[i] - margin, i);
-      end[i] = getCell(item.High[i] + margin, i) + 1;
+      low[i] = getCell(item.Rays.Low[i] - margin, i);
+      end[i] = getCell(item.Rays.High[i] + margin, i) + 1;
     }
     grid[low[1] * row + low[0]] += item.Weight;
     grid[low[1] * row + end[0]] -= item.Weight;

@@ -7,22 +7,20 @@
 #ifndef vtkShadowOverlap_h
 #define vtkShadowOverlap_h
 
-#include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowBlock.h"
 
-#include <limits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkShadowOverlap
 {
-/// A triangle, or those of a caster, inside the rectangle of rays from Low to High in (p, q).
+/// A triangle, or those of a caster.
 struct Item
 {
-  glm::dvec2 Low = glm::dvec2(std::numeric_limits<double>::infinity());
-  glm::dvec2 High = glm::dvec2(-std::numeric_limits<double>::infinity());
-  int Weight = 1; ///< The largest number of these triangles that one ray meets.
+  vtkShadowBlock Rays; ///< It lies inside the rectangle of these rays in (p, q); s does not matter.
+  int Weight = 1;      ///< The largest number of these triangles that one ray meets.
 };
 
 /**

@@ -79,9 +79,7 @@ int BoundOverlap(
     {
       return count; // The caster is around the light.
     }
-    vtkShadowOverlap::Item& item = items[i / 3];
-    item.Low = glm::min(item.Low, glm::dvec2(pqs));
-    item.High = glm::max(item.High, glm::dvec2(pqs));
+    items[i / 3].Rays.Add(pqs);
   }
   return static_cast<int>(vtkShadowOverlap::GetBound(items));
 }

@@ -52,28 +52,17 @@ glm::dvec3 GetSide(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
   return { outwards[0], outwards[1], glm::dot(outwards, a) };
 }
 
-/// The part of a block that lies on the rays of another one.
+/// The part of a block that lies on the rays of another one, at any depth.
 vtkShadowBlock GetCommon(const vtkShadowBlock& block, const vtkShadowBlock& rays)
 {
-  vtkShadowBlock common = block;
-  for (int i = 0; i < 2; ++i)
-  {
-    common.Low[i] = std::max(block.Low[i], rays.Low[i]);
-    common.High[i] = std::min(block.High[i], rays.High[i]);
-  }
-  return common;
+  return { glm::max(block.Low, glm::dvec3(glm::dvec2(rays.Low), block.Low[2])),
+    glm::min(block.High, glm::dvec3(glm::dvec2(rays.High), block.High[2])) };
 }
 
 bool Overlap(const vtkShadowBlock& block, const vtkShadowBlock& rays)
 {
-  for (int i = 0; i < 2; ++i)
-  {
-    if (block.High[i] < rays.Low[i] || block.Low[i] > rays.High[i])
-    {
-      return false;
-    }
-  }
-  return true;
+  return !(block.High[0] < rays.Low[0] || block.High[1] < rays.Low[1] ||
+    block.Low[0] > rays.High[0] || block.Low[1] > rays.High[1]);
 }
 }
 

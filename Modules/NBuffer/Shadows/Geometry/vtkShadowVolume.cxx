@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolume.h"
 
+#include "vtkShadowFootprint.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -44,19 +46,6 @@ double GetDistance(
     isInside = isInside && glm::dot(glm::cross(from, edge), normal) > 0.0;
   }
   return isInside ? std::abs(glm::dot(a - x, normal)) / glm::length(normal) : least;
-}
-
-/// The least and the largest depth of the points.
-vtkShadowSlab GetDepths(const vtkShadowPoints& points, const vtkShadowLightSpace& space)
-{
-  vtkShadowSlab depths = { std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity() };
-  for (const glm::dvec3& point : points)
-  {
-    depths.Near = std::min(depths.Near, space.GetDepth(point));
-    depths.Far = std::max(depths.Far, space.GetDepth(point));
-  }
-  return depths;
 }
 
 /// The factor k of vtkShadowVolume.h.
@@ -187,11 +176,12 @@ vtkShadowPiece vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette,
   if (view && !light.IsPositional())
   {
     const vtkShadowLightSpace space(light);
-    vtkShadowSlab slab = GetDepths(points, space);
-    const double casterFar = slab.Far;
+    const vtkShadowBlock block = vtkShadowFootprint::Make(points, space).Block;
+    const double casterFar = block.High[2];
     const glm::dvec3& axis = space.GetAxis();
     const glm::dvec3 farthest = glm::max(view->Low * axis, view->High * axis);
-    slab.Far = std::max(casterFar, farthest.x + farthest.y + farthest.z);
+    vtkShadowSlab slab = { block.Low[2],
+      std::max(casterFar, farthest.x + farthest.y + farthest.z) };
     slab.Far += (Lengthening - 1.0) * (slab.Far - slab.Near);
     return this->AddClamped(silhouette, points, space, slab, casterFar);
   }

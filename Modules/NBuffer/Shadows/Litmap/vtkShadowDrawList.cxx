@@ -24,17 +24,11 @@ bool EndsBeyondView(const vtkShadowLight& light, const vtkShadowDrawList::View& 
     std::max(std::abs(direction.x), std::abs(direction.y)) < Along * std::abs(direction.z);
   return !view.ParallelView.IsEmpty() && (light.IsPositional() || isAlong);
 }
-
-glm::dvec4 GetNearPlane(const vtkShadowDrawList::View& view)
-{
-  return glm::row(view.EyeToClip, 2) + glm::row(view.EyeToClip, 3);
-}
 }
 
 vtkShadowDrawList::vtkShadowDrawList(const vtkShadowLight& light, const View& view)
   : Light(light)
   , Camera(view)
-  , NearPlane(GetNearPlane(view))
 {
 }
 
@@ -45,7 +39,6 @@ bool vtkShadowDrawList::SetView(const View& view)
     return false;
   }
   this->Camera = view;
-  this->NearPlane = GetNearPlane(view);
   for (std::size_t i = 0; i < this->Draws.size(); ++i)
   {
     this->Draws[i].Box = { 0, 0, view.Viewport[2], view.Viewport[3] };
@@ -57,7 +50,7 @@ bool vtkShadowDrawList::SetView(const View& view)
 void vtkShadowDrawList::AddRays(const vtkShadowSilhouette& silhouette, const vtkShadowBlock& rays)
 {
   this->Bound.reset();
-  this->Items.push_back({ rays.Low, rays.High, silhouette.GetMaximumCount() });
+  this->Items.push_back({ rays, silhouette.GetMaximumCount() });
 }
 
 void vtkShadowDrawList::AddWhole(
@@ -98,14 +91,8 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
     draw.Rounding = static_cast<float>(std::exp2(std::ceil(std::log2(caster.Rounding))));
   }
   draw.ZPass = this->IsBeyondNearPlane(piece);
-  draw.Box = { 0, 0, this->Camera.Viewport[2], this->Camera.Viewport[3] };
-  if (boxes.empty() || !this->Camera.Boxes)
-  {
-    this->Draws.push_back(draw);
-    this->Pieces.push_back(piece);
-    return;
-  }
-  for (const vtkNBufferRectangle& box : boxes)
+  const Boxes everywhere = { { 0, 0, this->Camera.Viewport[2], this->Camera.Viewport[3] } };
+  for (const vtkNBufferRectangle& box : boxes.empty() || !this->Camera.Boxes ? everywhere : boxes)
   {
     draw.Box = box;
     this->Draws.push_back(draw);
@@ -116,13 +103,16 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
 
 bool vtkShadowDrawList::IsBeyondNearPlane(const vtkShadowPiece& piece) const
 {
+  // The product of this row with a vertex relative to the eye is z + w.
+  const glm::dvec4 plane =
+    glm::row(this->Camera.EyeToClip, 2) + glm::row(this->Camera.EyeToClip, 3);
   // Whether z + w is positive in a box of vertices that have this w.
-  const auto isBeyond = [this](const vtkShadowBlock& box, double w)
+  const auto isBeyond = [&](const vtkShadowBlock& box, double w)
   {
-    const glm::dvec3 normal(this->NearPlane);
+    const glm::dvec3 normal(plane);
     const glm::dvec3 low = normal * (box.Low - w * this->Camera.Eye);
     const glm::dvec3 high = normal * (box.High - w * this->Camera.Eye);
-    const double constant = w * this->NearPlane.w;
+    const double constant = w * plane.w;
     const auto addUp = [](const glm::dvec3& x) { return x[0] + x[1] + x[2]; };
     return box.IsEmpty() ||
       addUp(glm::min(low, high)) + constant >

@@ -32,11 +32,6 @@
  * The stencil count of a receiver is at most the sum of the largest counts of the casters that its
  * light ray can meet (vtkShadowSilhouette::GetMaximumCount). The casters' rectangles in p and q
  * bound this sum (vtkShadowOverlap.h). If it is at most 255, all casters are counted at once.
- *
- * ## Boxes
- *
- * Drawing only into a box of pixels changes no vertex, and so no fragment: inside of the box the
- * stencil is bit for bit the same. A piece may be drawn into several boxes that share no pixel.
  */
 #ifndef vtkShadowDrawList_h
 #define vtkShadowDrawList_h
@@ -77,7 +72,8 @@ struct vtkShadowDraw
 class VTKNBUFFER_EXPORT vtkShadowDrawList
 {
 public:
-  using Boxes = std::vector<vtkNBufferRectangle>; ///< Pixels of the viewport.
+  /// Boxes of pixels of the viewport, which share no pixel.
+  using Boxes = std::vector<vtkNBufferRectangle>;
 
   /// What the draws depend on besides light and casters.
   struct View
@@ -159,7 +155,6 @@ private:
 
   vtkShadowLight Light;
   View Camera;
-  glm::dvec4 NearPlane; ///< As a row: its product with a vertex relative to the eye is z + w.
   std::vector<vtkShadowDraw> Draws;
   std::vector<vtkShadowPiece> Pieces; ///< The piece of each draw.
   long long Triangles = 0;
