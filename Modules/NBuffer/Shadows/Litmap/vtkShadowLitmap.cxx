@@ -28,19 +28,6 @@ struct MergeExtents
 };
 }
 
-void vtkShadowLitmap::Scale::Set(double low, double high, int count)
-{
-  this->Low = low;
-  this->High = high;
-  this->Count = count;
-  this->CellsPerUnit = high > low ? count / (high - low) : 0.0;
-}
-
-double vtkShadowLitmap::Scale::GetEdge(int cell) const
-{
-  return this->Low + (this->High - this->Low) * cell / this->Count;
-}
-
 void vtkShadowLitmap::Begin(int resolution, const vtkShadowBlock& range)
 {
   this->Resolution = std::clamp(resolution, 1, MaximumResolution);
@@ -49,9 +36,9 @@ void vtkShadowLitmap::Begin(int resolution, const vtkShadowBlock& range)
   this->WidestAngle = 0.0;
   this->Everywhere = vtkShadowExtent();
   this->Tiles.Begin(0, 0);
-  this->P.Set(range.Low[0], range.High[0], this->Resolution);
-  this->Q.Set(range.Low[1], range.High[1], this->Resolution);
-  this->Depths.Set(range.Low[2], range.High[2], NumberOfBins);
+  this->P = Scale(range.Low[0], range.High[0], this->Resolution);
+  this->Q = Scale(range.Low[1], range.High[1], this->Resolution);
+  this->Depths = Scale(range.Low[2], range.High[2], NumberOfBins);
   this->Low = range.Low;
   this->High = range.High;
   const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;

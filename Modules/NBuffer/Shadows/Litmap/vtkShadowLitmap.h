@@ -142,12 +142,14 @@ private:
   /// An interval, divided into equal cells. Values outside belong to the first or the last cell.
   struct Scale
   {
-    double Low = 0.0;
-    double High = 0.0;
-    double CellsPerUnit = 0.0;
-    int Count = 1;
+    explicit Scale(double low = 0.0, double high = 0.0, int count = 1)
+      : Low(low)
+      , High(high)
+      , CellsPerUnit(high > low ? count / (high - low) : 0.0)
+      , Count(count)
+    {
+    }
 
-    void Set(double low, double high, int count);
     /// The number of the cell of x. It never decreases as x grows, in spite of rounding: a value
     /// between two others lies in one of the cells from theirs to theirs.
     int GetCell(double x) const
@@ -160,7 +162,15 @@ private:
       return cell < this->Count ? static_cast<int>(cell) : this->Count - 1;
     }
     /// The lower edge of a cell.
-    double GetEdge(int cell) const;
+    double GetEdge(int cell) const
+    {
+      return this->Low + (this->High - this->Low) * cell / this->Count;
+    }
+
+    double Low;
+    double High;
+    double CellsPerUnit;
+    int Count;
   };
 
   std::uint64_t GetBins(double nearest, double farthest) const;

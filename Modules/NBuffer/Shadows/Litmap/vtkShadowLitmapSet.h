@@ -15,9 +15,6 @@
  *        |[]  / \    |
  *        |   /   \   |
  *        +-----------+
- *
- * A positional light's coordinates mean nothing at and behind its plane s = 0. A caster that
- * reaches to or through this plane may have receivers on any ray.
  */
 #ifndef vtkShadowLitmapSet_h
 #define vtkShadowLitmapSet_h
@@ -82,7 +79,7 @@ public:
   Lookup LookUp(const vtkShadowFootprint& footprint, const vtkShadowPoints* points = nullptr) const;
 
   /// Returns true if a caster with these light coordinates reaches to a positional light's plane
-  /// s = 0 or lies behind it.
+  /// s = 0 or lies behind it. It may have receivers on any ray.
   bool IsThroughLightPlane(const vtkShadowBlock& block) const
   {
     return this->Light.IsPositional() && !(block.Low[2] > Margin * std::abs(block.High[2]));

@@ -54,8 +54,8 @@ double GetCornerDistance(const vtkShadowView& view)
     const glm::dvec4 point = m[0] * x + m[1] * y + m[3];
     return glm::length(glm::dvec3(point)) / point[3];
   };
-  return std::max(std::max(getDistance(-1.0, -1.0), getDistance(1.0, -1.0)),
-           std::max(getDistance(-1.0, 1.0), getDistance(1.0, 1.0))) /
+  return std::max({ getDistance(-1.0, -1.0), getDistance(1.0, -1.0), getDistance(-1.0, 1.0),
+           getDistance(1.0, 1.0) }) /
     getDistance(0.0, 0.0);
 }
 }
