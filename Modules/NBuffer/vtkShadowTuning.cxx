@@ -23,8 +23,7 @@ std::vector<std::string> vtkShadowTuning::GetNames()
 
 int vtkShadowTuning::Get(const std::string& name) const
 {
-  const vtkNBufferNamedMember<vtkShadowTuning>* member =
-    vtkNBufferNamedMembers::Find(ShadowMembers, name);
+  const auto* member = vtkNBufferNamedMembers::Find(ShadowMembers, name);
   return member ? member->Get(*this) : -1;
 }
 

@@ -240,19 +240,12 @@ vtkMTimeType vtkShadowVolumeClampPass::GetShaderStageMTime()
 std::vector<unsigned char> vtkShadowVolumeClampPass::GetMask(
   vtkLight* light, int& width, int& height, int sample)
 {
-  std::vector<unsigned char> mask;
-  int size[2] = { 0, 0 };
   std::string why;
-  if (!this->Implementation->Shadows.ReadMask(light, sample, mask, size, why))
+  const auto mask = this->Implementation->Shadows.ReadMask(light, sample, width, height, why);
+  if (!why.empty())
   {
-    mask.clear();
-    if (!why.empty())
-    {
-      vtkErrorMacro(<< why);
-    }
+    vtkErrorMacro(<< why);
   }
-  width = size[0];
-  height = size[1];
   return mask;
 }
 

@@ -22,23 +22,17 @@ namespace
 bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whole)
 {
   auto next = whole.begin();
-  for (vtkProp* prop : part)
-  {
-    if (next == whole.end() || *next != prop)
+  return std::all_of(part.begin(), part.end(),
+    [&](vtkProp* prop)
     {
-      if (vtkNBufferStandIn::SafeDownCast(prop))
+      if ((next == whole.end() || *next != prop) && vtkNBufferStandIn::SafeDownCast(prop))
       {
-        continue;
+        return true;
       }
-      next = std::find(next, whole.end(), prop);
-      if (next == whole.end())
-      {
-        return false;
-      }
-    }
-    ++next;
-  }
-  return true;
+      const auto found = std::find(next, whole.end(), prop);
+      next = found == whole.end() ? found : found + 1;
+      return found != whole.end();
+    });
 }
 
 /// Returns true if at least one culler promises to remove only props that show in no pixel, and all

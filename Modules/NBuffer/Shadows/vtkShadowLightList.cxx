@@ -32,17 +32,15 @@ std::vector<vtkShadowLightSource> vtkShadowLightSource::Find(
     glm::dvec3 focalPoint;
     light->GetTransformedFocalPoint(glm::value_ptr(focalPoint));
     const bool directed = glm::length(focalPoint - geometry.Position) > 0.0;
-    geometry.Direction = vtkNBufferGLM::Normalize(focalPoint - geometry.Position);
-    const double cone = std::abs(light->GetConeAngle()); // VTK compares cosines.
-    const bool spot = light->GetPositional() && cone < 90.0;
+    if (directed)
+    {
+      geometry.Direction = vtkNBufferGLM::Normalize(focalPoint - geometry.Position);
+    }
     if (light->GetPositional())
     {
-      geometry.Kind = spot ? vtkShadowLightKind::Spot : vtkShadowLightKind::Point;
-      geometry.ConeAngle = cone;
-    }
-    if (!directed)
-    {
-      geometry.Direction = { 0.0, 0.0, -1.0 };
+      geometry.ConeAngle = std::abs(light->GetConeAngle()); // VTK compares cosines.
+      geometry.Kind =
+        geometry.ConeAngle < 90.0 ? vtkShadowLightKind::Spot : vtkShadowLightKind::Point;
     }
     if (!light->LightTypeIsHeadlight() && light->GetIntensity() > 0.0 &&
       (directed || geometry.Kind == vtkShadowLightKind::Point) && casts(light))

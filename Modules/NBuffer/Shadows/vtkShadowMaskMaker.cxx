@@ -13,7 +13,6 @@
 #include "vtkShadowReceivers.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -29,7 +28,7 @@ constexpr vtkIdType CastersPerThread = 256;
 }
 
 /// A light of a frame, and what is needed to make its part of a mask.
-struct vtkShadowMaskMaker::Work
+struct vtkShadowMaskMaker::Work : vtkShadowMaskMaker::Frame
 {
   const vtkShadowLight& GetLight() const { return this->Source.Geometry; }
 
@@ -41,11 +40,8 @@ struct vtkShadowMaskMaker::Work
       : std::vector<vtkShadowLightSpace>{ this->Space };
   }
 
-  const vtkShadowMaskMaker::Frame& Frame;
   vtkOpenGLRenderWindow* Window;
   const vtkShadowCamera& Camera;
-  const vtkShadowMaskMaker::Settings& Settings;
-  vtkShadowStatistics& Statistics;
   const vtkShadowLightSource& Source;
   std::size_t Slot;
   vtkShadowLightSpace Space;
@@ -70,26 +66,17 @@ bool vtkShadowMaskMaker::Reserve(vtkOpenGLRenderWindow* window, std::size_t ligh
     vtkNBufferGL::GetSamplePlaces(), this->Error);
 }
 
-void vtkShadowMaskMaker::BeginDepth(vtkOpenGLRenderWindow* window)
-{
-  vtkOpenGLState* state = window->GetState();
-  state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
-  state->vtkglDepthMask(GL_TRUE);
-  glClearBufferfv(GL_DEPTH, 0, &vtkNBufferDepthConvention::Background);
-}
-
-bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
+bool vtkShadowMaskMaker::Make(const Frame& frame)
 {
   const std::vector<vtkShadowLightSource>& lights = frame.Lights;
   this->Shadows = 0;
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
   this->IsDepthRead = false;
-  this->Coverage.BeginFrame();
+  ++this->Coverage.Age;
   vtkShadowCamera camera(frame.Renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
-  camera.Plan.Boxes = settings.Mode != vtkShadowMode::Culled &&
+  camera.Plan.Boxes = frame.Settings.Mode != vtkShadowMode::Culled &&
     vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
   frame.DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);
@@ -97,14 +84,14 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
   {
     this->Counter.ClearMask(this->Target, mask, this->Viewport);
   }
-  if (settings.Tuning.CountFragments)
+  if (frame.Settings.Tuning.CountFragments)
   {
     frame.Statistics.Fragments = 0;
   }
   this->LightVolumes.resize(std::max(this->LightVolumes.size(), lights.size()));
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const Work work = { frame, window, camera, settings, frame.Statistics, lights[i], i,
+    const Work work = { frame, window, camera, lights[i], i,
       vtkShadowLightSpace(lights[i].Geometry), this->LightVolumes[i] };
     const vtkNBufferClock clock;
     vtkShadowLightCost& cost = frame.Statistics.LightCosts.emplace_back();
@@ -127,7 +114,7 @@ vtkShadowView vtkShadowMaskMaker::GetReceiverView(const Work& work) const
 {
   vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
-  view.LightingMargin = work.Frame.Casters.GetLightingMargin();
+  view.LightingMargin = work.Casters.GetLightingMargin();
   view.Push = work.Camera.Plan.GetPush(this->Parts);
   return view;
 }
@@ -143,7 +130,9 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   this->IsDepthRead = this->Target.ReadDepth(work.Window, this->Viewport, this->Depth, this->Error);
   if (this->IsDepthRead)
   {
-    this->Coverage.Count(this->Depth);
+    const auto covered =
+      std::count_if(this->Depth.begin(), this->Depth.end(), vtkNBufferDepthConvention::IsDrawn);
+    this->Coverage = { static_cast<std::size_t>(covered), this->Depth.size() };
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();
   if (this->LitmapSource && this->LitmapSource != work.Settings.Tuning.LitmapSource)
@@ -154,7 +143,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   this->IsDepthRead = this->IsDepthRead &&
     (!this->LitmapSource ||
       this->LitmapSource->BeginFrame(
-        work.Frame.Renderer, this->Depth.data(), work.Camera.GetView(), this->Error));
+        work.Renderer, this->Depth.data(), work.Camera.GetView(), this->Error));
   return this->IsDepthRead;
 }
 
@@ -196,7 +185,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
 
 void vtkShadowMaskMaker::FindParts(const Work& work)
 {
-  const std::vector<vtkShadowCaster*>& casters = work.Frame.Casters.GetCasters();
+  const std::vector<vtkShadowCaster*>& casters = work.Casters.GetCasters();
   const auto last = static_cast<vtkIdType>(casters.size()) - 1;
   std::vector<const std::vector<vtkShadowPart>*> partLists(casters.size());
   std::atomic<int> built(0);
@@ -257,7 +246,7 @@ vtkShadowPlan::View vtkShadowMaskMaker::GetWholeView(const Work& work) const
 vtkShadowPlan& vtkShadowMaskMaker::PlanWhole(const Work& work, const vtkShadowPlan::View& view)
 {
   Volumes& volumes = work.LightVolumes;
-  const vtkMTimeType version = work.Frame.Casters.GetVersion();
+  const vtkMTimeType version = work.Casters.GetVersion();
   const vtkMTimeType time = volumes.Store.GetTime();
   if (!volumes.Whole || volumes.CastersVersion != version || volumes.StoreTime != time ||
     !volumes.Whole->SetView(view))
@@ -278,9 +267,9 @@ long long vtkShadowMaskMaker::EstimateCovered(const Work& work)
   {
     // This is no failure: with full coverage the light gets no litmaps, which alone need the depth.
     this->Error.clear();
-    this->Coverage.Set(samples, samples);
+    this->Coverage = { samples, samples };
   }
-  return static_cast<long long>(this->Coverage.GetCovered());
+  return static_cast<long long>(this->Coverage.Covered);
 }
 
 void vtkShadowMaskMaker::MeasureCosts(const Work& work)
@@ -386,7 +375,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
       static_cast<int>(spaces.size()), work.LightVolumes.Buffer, plan->GetDraws(), view };
-    return work.Frame.DebugView.Make(
+    return work.DebugView.Make(
       work.Window, work.Settings.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
   return done;
@@ -394,7 +383,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
 
 bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
 {
-  const vtkShadowTimers::Scope timed(work.Frame.Timers, vtkShadowStage::Draw);
+  const vtkShadowTimers::Scope timed(work.Timers, vtkShadowStage::Draw);
   const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
   vtkShadowStatistics& statistics = work.Statistics;
   ++this->Shadows;

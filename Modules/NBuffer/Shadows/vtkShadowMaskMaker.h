@@ -4,7 +4,7 @@
  * @class vtkShadowMaskMaker
  * @brief Makes the shadow mask of each light from the casters and the depth of the receivers.
  *
- *     receivers' depth (drawn by the caller after BeginDepth())
+ *     receivers' depth (drawn by the caller into GetTarget())
  *        |                 for each light:
  *        +-- read --> litmap --> plan: which part of which caster's volume
  *        |                          |
@@ -55,6 +55,7 @@ public:
   /// A frame whose masks are made.
   struct Frame
   {
+    const vtkShadowMaskMaker::Settings& Settings;
     vtkRenderer* Renderer;
     const std::vector<vtkShadowLightSource>& Lights;
     const vtkShadowCasterList& Casters;
@@ -63,26 +64,17 @@ public:
     vtkShadowStatistics& Statistics; ///< The counts and times of the masks are added to these.
   };
 
-  /**
-   * Allocates the masks of this many lights for the viewport that is set now. They get the samples
-   * of the framebuffer that is bound for drawing. If the device refuses these samples, the masks
-   * get one for each pixel, vtkShadowTarget::HasRefusedSamples() is true, and GetError() has the
-   * cause. Returns false, with the cause in GetError(), if that fails, too.
-   */
+  /// Allocates the masks of this many lights for the viewport that is set now, with the samples of
+  /// the framebuffer that is bound for drawing: see vtkShadowTarget::Reserve(). GetError() has the
+  /// cause if that fails, or if the device refuses these samples.
   bool Reserve(vtkOpenGLRenderWindow* window, std::size_t lights);
 
   /**
-   * Binds the framebuffer into which the caller draws the receivers' depth next, and clears its
-   * depth, for which it turns the depth mask on. Call Reserve() before. It pushes the framebuffer
-   * bindings of the window's vtkOpenGLState, which the caller pops.
+   * Makes the masks. Call Reserve() and draw the depth of the receivers before. Returns false on
+   * failure, with the cause in GetError(). Afterwards GetNumberOfShadows() is the number of lights
+   * for which a volume was drawn.
    */
-  void BeginDepth(vtkOpenGLRenderWindow* window);
-
-  /**
-   * Makes the masks. Returns false on failure, with the cause in GetError(). Afterwards
-   * GetNumberOfShadows() is the number of lights for which a volume was drawn.
-   */
-  bool Make(const Frame& frame, const Settings& settings);
+  bool Make(const Frame& frame);
 
   int GetNumberOfShadows() const { return this->Shadows; }
 

@@ -3,6 +3,7 @@
 #include "vtkShadowOpaqueStage.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferPropertyKeys.h"
 #include "vtkShadowLightList.h"
@@ -140,19 +141,22 @@ bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings
   receivers.SetFrameBuffer(state->GetFrameBuffer());
   receivers.SetRequiredKeys(state->GetRequiredKeys());
   receivers.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
-  this->Masks.BeginDepth(this->Window);
   {
+    vtkOpenGLState* gl = this->Window->GetState();
+    gl->PushFramebufferBindings();
     vtkNBufferGL::Scope pop;
-    pop.AtEnd([this] { this->Window->GetState()->PopFramebufferBindings(); });
+    pop.AtEnd([gl] { gl->PopFramebufferBindings(); });
+    gl->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->GetTarget().GetDepthFramebuffer());
+    gl->vtkglDepthMask(GL_TRUE);
+    glClearBufferfv(GL_DEPTH, 0, &vtkNBufferDepthConvention::Background);
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Depth);
     this->Draw(&receivers, vtkShadowShading::Purpose::Depth);
   }
   this->Statistics.DepthTime = clock.GetMilliseconds();
   // In a frame that is aborted, mappers leave out receivers.
   return !this->Window->GetAbortRender() &&
-    this->Masks.Make({ state->GetRenderer(), lights, this->Casters, this->Timers, this->DebugView,
-                       this->Statistics },
-      settings.Masks);
+    this->Masks.Make({ settings.Masks, state->GetRenderer(), lights, this->Casters, this->Timers,
+      this->DebugView, this->Statistics });
 }
 
 void vtkShadowOpaqueStage::Draw(const vtkRenderState* state, vtkShadowShading::Purpose purpose)
@@ -189,24 +193,24 @@ void vtkShadowOpaqueStage::WarnOnce(bool& hasWarned, const std::string& what)
   }
 }
 
-bool vtkShadowOpaqueStage::ReadMask(
-  vtkLight* light, int sample, std::vector<unsigned char>& mask, int size[2], std::string& why)
+std::vector<unsigned char> vtkShadowOpaqueStage::ReadMask(
+  vtkLight* light, int sample, int& width, int& height, std::string& why)
 {
+  width = height = 0;
   const std::vector<vtkShadowLightSource>& lights = this->Shading.GetLights();
   const auto found = std::find_if(lights.begin(), lights.end(),
     [light](const vtkShadowLightSource& source) { return source.Source == light; });
-  if (found == lights.end() || sample >= this->Statistics.Samples)
-  {
-    return false;
-  }
   const auto slot = static_cast<std::size_t>(found - lights.begin());
   const int* viewport = this->Masks.GetViewport();
-  if (!this->Masks.GetTarget().ReadMask(this->Window, viewport, slot, sample, mask, why))
+  std::vector<unsigned char> mask;
+  if (found == lights.end() || sample >= this->Statistics.Samples ||
+    !this->Masks.GetTarget().ReadMask(this->Window, viewport, slot, sample, mask, why))
   {
-    return false;
+    return {};
   }
-  std::copy_n(viewport + 2, 2, size);
-  return true;
+  width = viewport[2];
+  height = viewport[3];
+  return mask;
 }
 
 const vtkShadowDebugView* vtkShadowOpaqueStage::GetDebugView() const

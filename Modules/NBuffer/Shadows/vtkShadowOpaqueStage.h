@@ -68,11 +68,9 @@ public:
   vtkShadowShading& GetShading() { return this->Shading; }
   const vtkShadowTarget& GetTarget() { return this->Masks.GetTarget(); }
 
-  /// Reads the mask of a light of the last frame, as vtkShadowVolumeClampPass::GetMask() describes.
-  /// `size` receives its width and height in pixels. Returns false if the light did not cast, if
-  /// there is no such sample or, with the cause in `why`, if an OpenGL call fails.
-  bool ReadMask(
-    vtkLight* light, int sample, std::vector<unsigned char>& mask, int size[2], std::string& why);
+  /// See vtkShadowVolumeClampPass::GetMask(). If an OpenGL call fails, `why` receives the cause.
+  std::vector<unsigned char> ReadMask(
+    vtkLight* light, int sample, int& width, int& height, std::string& why);
 
   /// The debug view of the last frame, or nullptr if there was none.
   const vtkShadowDebugView* GetDebugView() const;

@@ -47,7 +47,14 @@ void vtkShadowTranslucentStage::Render(const vtkRenderState* s)
   }
   if (renderer->GetUseFXAA() && s->GetPropArrayCount() > 0)
   {
-    this->Smooth(static_cast<vtkOpenGLRenderer*>(renderer));
+    // The filter does not notice that the window has another context, or is another one.
+    this->ResourceCallback->RegisterGraphicsResources(
+      static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+    if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
+    {
+      this->Smoothing->UpdateConfiguration(options);
+    }
+    this->Smoothing->Execute(static_cast<vtkOpenGLRenderer*>(renderer));
   }
 }
 
@@ -59,18 +66,6 @@ vtkShadowTranslucentStage::vtkShadowTranslucentStage()
 vtkShadowTranslucentStage::~vtkShadowTranslucentStage()
 {
   this->ResourceCallback->Release();
-}
-
-void vtkShadowTranslucentStage::Smooth(vtkOpenGLRenderer* renderer)
-{
-  // The filter does not notice that the window has another context, or is another one.
-  this->ResourceCallback->RegisterGraphicsResources(
-    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
-  if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
-  {
-    this->Smoothing->UpdateConfiguration(options);
-  }
-  this->Smoothing->Execute(renderer);
 }
 
 void vtkShadowTranslucentStage::ReleaseObjects(vtkWindow*)

@@ -30,7 +30,6 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkOpenGLRenderer;
 
 /// Draws the translucent props, and smooths the image. In reversed depth vtkTranslucentPass draws
 /// the props, because the shaders of the other ways take all depth for VTK's own.
@@ -53,7 +52,6 @@ protected:
 private:
   using Callback = vtkOpenGLResourceFreeCallback<vtkShadowTranslucentStage>;
 
-  void Smooth(vtkOpenGLRenderer* renderer);
   void ReleaseObjects(vtkWindow* window);
 
   vtkNew<vtkOpenGLFXAAFilter> Smoothing;

@@ -10,49 +10,25 @@
 #ifndef vtkShadowEstimate_h
 #define vtkShadowEstimate_h
 
-#include "vtkNBufferDepthConvention.h"
 #include "vtkShadowCostModel.h"
 #include "vtkShadowPlan.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// Remembers how many samples of the viewport were not background. Only reading the depth back
-/// tells this number, which takes long. What a litmap is likely to cost (vtkShadowCostModel.h)
-/// depends on it, but changes little from frame to frame.
-class vtkShadowCoverage
+/// How many samples of the viewport were not background. Only reading the depth back tells this
+/// number, which takes long. What a litmap is likely to cost (vtkShadowCostModel.h) depends on it,
+/// but changes little from frame to frame.
+struct vtkShadowCoverage
 {
-public:
   /// The number of frames for which what was estimated is used again.
   static constexpr int Frames = 30;
-
-  void BeginFrame() { ++this->Age; }
-
-  /// Remembers that so many of these samples are covered.
-  void Set(std::size_t covered, std::size_t samples)
-  {
-    this->Covered = covered;
-    this->Samples = samples;
-    this->Age = 0;
-  }
-
-  /// Remembers how many of the samples with these depths are covered.
-  void Count(const std::vector<float>& depths)
-  {
-    const auto covered =
-      std::count_if(depths.begin(), depths.end(), vtkNBufferDepthConvention::IsDrawn);
-    this->Set(static_cast<std::size_t>(covered), depths.size());
-  }
 
   /// Returns true if the number is known for so many samples, and not too old.
   bool IsKnown(std::size_t samples) const { return this->Samples == samples && this->Age < Frames; }
 
-  std::size_t GetCovered() const { return this->Covered; }
-
-private:
   std::size_t Covered = 0;
   std::size_t Samples = 0; ///< The number of samples then.
   int Age = 0;             ///< The number of frames since then.
