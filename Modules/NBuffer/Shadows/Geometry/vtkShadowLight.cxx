@@ -27,11 +27,6 @@ double vtkShadowLight::GetConeCosine() const
   return std::cos(vtkMath::RadiansFromDegrees(std::min(this->ConeAngle + margin, 180.0)));
 }
 
-vtkShadowLightSpace::vtkShadowLightSpace(const vtkShadowLight& light)
-  : vtkShadowLightSpace(light, light.Direction)
-{
-}
-
 vtkShadowLightSpace::vtkShadowLightSpace(const vtkShadowLight& light, const glm::dvec3& axis)
   : Positional(light.IsPositional())
   , Apex(light.IsPositional() ? light.Position : glm::dvec3(0.0))

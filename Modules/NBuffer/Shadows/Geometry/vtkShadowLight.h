@@ -98,7 +98,10 @@ class VTKNBUFFER_EXPORT vtkShadowLightSpace
 {
 public:
   /// The light coordinates around the axis of a directional or spot light.
-  explicit vtkShadowLightSpace(const vtkShadowLight& light);
+  explicit vtkShadowLightSpace(const vtkShadowLight& light)
+    : vtkShadowLightSpace(light, light.Direction)
+  {
+  }
 
   /// The light coordinates of a spot or point light around another axis, in world coordinates. The
   /// axis may have any length except 0.

@@ -57,9 +57,7 @@ std::vector<Component> FindComponents(
   return components;
 }
 
-/// An upper bound of how many of the triangles one ray of the light can meet. If all corners have
-/// light coordinates (s > 0), it follows from the overlap of the triangles' bounding rectangles in
-/// p and q. Otherwise it is the number of triangles.
+/// See GetMaximumCount().
 int BoundOverlap(
   const std::vector<int>& triangles, const vtkShadowPoints& points, const vtkShadowLight& light)
 {

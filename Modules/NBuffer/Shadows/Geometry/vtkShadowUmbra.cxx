@@ -74,38 +74,24 @@ vtkShadowUmbra::vtkShadowUmbra(const vtkShadowSilhouette& silhouette, const vtkS
   const std::vector<int>& corners = silhouette.GetTriangles();
   if (corners.size() <= 3 * MaximumFacets && std::isfinite(rays.Low[0]))
   {
-    this->AddFacets(corners, points, space);
-  }
-  else
-  {
-    this->AddPlanes(corners, points, space);
-  }
-}
-
-void vtkShadowUmbra::AddFacets(
-  const std::vector<int>& corners, const vtkShadowPoints& points, const vtkShadowLightSpace& space)
-{
-  this->Facets.reserve(corners.size() / 3);
-  for (std::size_t t = 0; t < corners.size(); t += 3)
-  {
-    Facet facet = { GetPlane(corners.data() + t, points, space), {}, {} };
-    glm::dvec3 pqs[3];
-    for (std::size_t i = 0; i < 3; ++i)
+    this->Facets.reserve(corners.size() / 3);
+    for (std::size_t t = 0; t < corners.size(); t += 3)
     {
-      pqs[i] = space.ToLight(points[corners[t + i]]);
-      facet.Rays.Add(pqs[i]);
+      Facet facet = { GetPlane(corners.data() + t, points, space), {}, {} };
+      glm::dvec3 pqs[3];
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        pqs[i] = space.ToLight(points[corners[t + i]]);
+        facet.Rays.Add(pqs[i]);
+      }
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        facet.Sides[i] = GetSide(pqs[i], pqs[(i + 1) % 3], pqs[(i + 2) % 3]);
+      }
+      this->Facets.push_back(facet);
     }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      facet.Sides[i] = GetSide(pqs[i], pqs[(i + 1) % 3], pqs[(i + 2) % 3]);
-    }
-    this->Facets.push_back(facet);
+    return;
   }
-}
-
-void vtkShadowUmbra::AddPlanes(
-  const std::vector<int>& corners, const vtkShadowPoints& points, const vtkShadowLightSpace& space)
-{
   for (std::size_t t = 0; t < corners.size() && this->Planes.size() <= MaximumFacets; t += 3)
   {
     const Plane plane = GetPlane(corners.data() + t, points, space);

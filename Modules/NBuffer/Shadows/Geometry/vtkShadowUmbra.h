@@ -96,10 +96,6 @@ private:
     std::array<glm::dvec3, 3> Sides;
   };
 
-  void AddFacets(const std::vector<int>& corners, const vtkShadowPoints& points,
-    const vtkShadowLightSpace& space);
-  void AddPlanes(const std::vector<int>& corners, const vtkShadowPoints& points,
-    const vtkShadowLightSpace& space);
   /// Returns false if no point in the block is on a ray of the facet.
   static bool Meets(const vtkShadowBlock& block, const Facet& facet);
   /// Returns true if no point in the block lies beyond the plane.

@@ -94,18 +94,6 @@ private:
   std::function<unsigned int(int)> Make;
 };
 
-void vtkShadowVolume::Begin()
-{
-  this->Piece = vtkShadowPiece();
-  this->Piece.FirstIndex = this->Indices.size();
-}
-
-vtkShadowPiece vtkShadowVolume::End()
-{
-  this->Piece.EndIndex = this->Indices.size();
-  return this->Piece;
-}
-
 unsigned int vtkShadowVolume::AddVertex(const glm::dvec3& x, double w)
 {
   (w != 0.0 ? this->Piece.Points : this->Piece.Directions).Add(x);
@@ -185,7 +173,7 @@ vtkShadowPiece vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette,
     slab.Far += (Lengthening - 1.0) * (slab.Far - slab.Near);
     return this->AddClamped(silhouette, points, space, slab, casterFar);
   }
-  this->Begin();
+  this->Piece = { this->Indices.size() };
   Image nearImage(
     points, [&](int i) { return this->AddVertex(GetNearPoint(silhouette, points, i), 1.0); });
   this->AddTriangles(silhouette, nearImage, Side::Near);
@@ -207,14 +195,15 @@ vtkShadowPiece vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette,
     Image farImage(points, [end](int) { return end; });
     this->AddSides(silhouette, nearImage, farImage);
   }
-  return this->End();
+  this->Piece.EndIndex = this->Indices.size();
+  return this->Piece;
 }
 
 vtkShadowPiece vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette,
   const vtkShadowPoints& points, const vtkShadowLightSpace& space, const vtkShadowSlab& slab,
   double casterFar)
 {
-  this->Begin();
+  this->Piece = { this->Indices.size() };
   const bool nearPlane = casterFar < slab.Near;
   const double farDepth =
     slab.Far > casterFar ? slab.Far : casterFar + 1e-6 * (casterFar - slab.Near);
@@ -238,7 +227,8 @@ vtkShadowPiece vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette
   }
   this->AddFan(silhouette, farImage, Side::Far);
   this->AddSides(silhouette, nearImage, farImage);
-  return this->End();
+  this->Piece.EndIndex = this->Indices.size();
+  return this->Piece;
 }
 
 VTK_ABI_NAMESPACE_END

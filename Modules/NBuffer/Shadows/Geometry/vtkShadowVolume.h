@@ -41,10 +41,6 @@
  * no triangle with three such corners and stay infinite, except where the camera looks along the
  * light (vtkShadowDrawList.h). They then end in a plane across the light beyond the box.
  *
- * A whole volume for perspective cameras depends on the caster and the light alone. So it is made
- * once and kept while camera and receivers change (vtkShadowVolumeStore.h), and vertices are in
- * world coordinates, not relative to the eye.
- *
  * A clamped piece is the part of the volume between the planes s = near and s = far
  * (vtkShadowLight.h). It holds the same receivers as the whole volume if all receivers on the
  * caster's rays have depths in this slab. s_far is the depth of the caster's farthest point.
@@ -127,8 +123,6 @@ private:
     Far
   };
 
-  void Begin();         ///< Begins a piece.
-  vtkShadowPiece End(); ///< Ends the piece that was begun last, and returns it.
   unsigned int AddVertex(const glm::dvec3& x, double w);
   void AddTriangle(unsigned int a, unsigned int b, unsigned int c);
   void AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side);
@@ -137,7 +131,7 @@ private:
 
   std::vector<glm::dvec4> Vertices;
   std::vector<unsigned int> Indices;
-  vtkShadowPiece Piece; ///< The one that was begun last.
+  vtkShadowPiece Piece; ///< The one that is being added, or was added last.
 };
 
 VTK_ABI_NAMESPACE_END
