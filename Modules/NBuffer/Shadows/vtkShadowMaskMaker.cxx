@@ -147,8 +147,8 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   return this->IsDepthRead;
 }
 
-bool vtkShadowMaskMaker::MakeLitmaps(
-  const Work& work, const std::vector<vtkShadowLightSpace>& spaces)
+bool vtkShadowMaskMaker::MakeLitmaps(const Work& work,
+  const std::vector<vtkShadowLightSpace>& spaces, std::vector<vtkShadowPlan::Face>& faces)
 {
   if (!this->ReadReceivers(work))
   {
@@ -177,6 +177,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();
+    faces.push_back({ &spaces[i], &litmap });
     ++work.Statistics.Litmaps;
   }
   work.Statistics.LitmapTime += clock.GetMilliseconds();
@@ -347,16 +348,12 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   {
     spaces = work.MakeLitmapSpaces();
     cost.HasLitmaps = true;
-    if (!this->MakeLitmaps(work, spaces))
+    std::vector<vtkShadowPlan::Face> litmaps;
+    if (!this->MakeLitmaps(work, spaces, litmaps))
     {
       return false;
     }
     clock.Restart();
-    std::vector<vtkShadowPlan::Face> litmaps;
-    for (std::size_t i = 0; i < spaces.size(); ++i)
-    {
-      litmaps.push_back({ &spaces[i], &this->Litmaps[i] });
-    }
     plan =
       &planByLitmaps.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
         std::move(litmaps), work.Settings.Tuning);

@@ -103,7 +103,8 @@ private:
   std::size_t GetNumberOfSamples() const; ///< The number of all samples of the viewport.
   vtkShadowView GetReceiverView(const Work& work) const;
   bool ReadReceivers(const Work& work);
-  bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
+  bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces,
+    std::vector<vtkShadowPlan::Face>& faces);
   void FindParts(const Work& work);
   void AddCasters(const Work& work, vtkShadowPlan& plan);
   /// The camera's view for plans of whole volumes. In mode Automatic it has a ConeReach for a spot.

@@ -166,10 +166,6 @@ vtkSmartPointer<vtkTextureObject> vtkShadowTarget::NewTexture(vtkOpenGLRenderWin
   texture->SetContext(window);
   texture->SetSamples(
     this->IsMultisampled() ? static_cast<unsigned int>(this->Samples.size()) : 0u);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
   return texture;
 }
 
