@@ -39,14 +39,6 @@ namespace
 /// The lighting margin of props of which it is not known where they are lit.
 constexpr double Anywhere = std::numeric_limits<double>::infinity();
 
-/// vtkNBufferSurface::GetLightingMargin(). Through a prop that blends among opaque ones, surfaces
-/// behind the nearest one are seen, which may be anywhere.
-double GetLightingMargin(vtkActor* actor)
-{
-  return vtkNBufferDrawOrder::MattersTo(actor) ? Anywhere
-                                               : vtkNBufferSurface::GetLightingMargin(actor);
-}
-
 /// Whether the inside of an actor may be seen through its surface: VTK's shader discards fragments
 /// whose alpha is 0, and shaders of the application may discard any. A texture whose alpha is 0 or
 /// 255 everywhere counts as opaque if it is not interpolated.
@@ -242,7 +234,10 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   {
     return;
   }
-  member.LightingMargin = std::max(member.LightingMargin, ::GetLightingMargin(actor));
+  // Through a prop that blends among opaque ones, surfaces behind the nearest one are seen, which
+  // may be anywhere.
+  member.LightingMargin = std::max(member.LightingMargin,
+    vtkNBufferDrawOrder::MattersTo(actor) ? Anywhere : vtkNBufferSurface::GetLightingMargin(actor));
   member.MovesUnseen = member.MovesUnseen || vtkNBufferSurface::HasReplacedShaders(actor) ||
     vtkNBufferSurface::HasOtherCoordinates(actor);
   if (!member.Casts)

@@ -43,8 +43,7 @@ public:
   bool operator==(const vtkShadowFrameKey& other) const;
 
 private:
-  bool Complete =
-    false; ///< True if the renderer's own props, in its order, and stand-ins are drawn.
+  bool Complete = false; ///< True if the renderer's props, in order, and stand-ins are drawn.
   const void* Renderer = nullptr;
   vtkMTimeType SettingsTime = 0;
   std::array<int, 4> Viewport = {};

@@ -21,14 +21,6 @@ constexpr int NumberOfHeats = 5;
 constexpr unsigned char Heats[NumberOfHeats][3] = { { 40, 60, 255 }, { 0, 200, 255 },
   { 40, 220, 40 }, { 255, 230, 0 }, { 255, 20, 0 } };
 
-/// The grey of a depth, between those of all receivers.
-Color GetGrey(double depth, const vtkShadowExtent& all)
-{
-  const double share = all.Far > all.Near ? (depth - all.Near) / (all.Far - all.Near) : 0.0;
-  const auto level = static_cast<unsigned char>(std::lround(255.0 - 205.0 * share));
-  return { level, level, level, 255 };
-}
-
 void SetPixel(Image& image, std::size_t pixel, const Color& color)
 {
   std::copy(color.begin(), color.end(), image.begin() + static_cast<std::ptrdiff_t>(4 * pixel));
@@ -42,7 +34,11 @@ Color GetColor(const vtkShadowExtent& extent, const vtkShadowExtent& all, int pa
   }
   if (panel < 2)
   {
-    return GetGrey(panel == 0 ? extent.Near : extent.Far, all);
+    // The grey of a depth is between those of all receivers.
+    const double depth = panel == 0 ? extent.Near : extent.Far;
+    const double share = all.Far > all.Near ? (depth - all.Near) / (all.Far - all.Near) : 0.0;
+    const auto level = static_cast<unsigned char>(std::lround(255.0 - 205.0 * share));
+    return { level, level, level, 255 };
   }
   Color heat = vtkShadowDebugImage::GetHeat(
     static_cast<int>(std::bitset<vtkShadowLitmap::NumberOfBins>(extent.Bins).count()));

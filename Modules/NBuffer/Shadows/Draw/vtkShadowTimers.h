@@ -32,11 +32,7 @@ public:
    */
   void Begin(bool measure);
 
-  /**
-   * Milliseconds, by vtkShadowStage, of the last frame whose time stamps had arrived when Begin()
-   * was called. The time of a stage that this frame did not have is 0. All are -1 until there is
-   * such a frame, while nothing is measured, and without timers.
-   */
+  /// See vtkShadowStatistics::DeviceTimes. The time of a stage that the frame did not have is 0.
   const vtkShadowStageTimes& GetTimes() const { return this->Times; }
 
   /// Measures the OpenGL calls of its lifetime as a piece of a stage. Scopes must not overlap.

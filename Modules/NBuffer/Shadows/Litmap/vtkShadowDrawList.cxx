@@ -26,12 +26,6 @@ bool EndsBeyondView(const vtkShadowLight& light, const vtkShadowDrawList::View& 
 }
 }
 
-vtkShadowDrawList::vtkShadowDrawList(const vtkShadowLight& light, const View& view)
-  : Light(light)
-  , Camera(view)
-{
-}
-
 bool vtkShadowDrawList::SetView(const View& view)
 {
   if (EndsBeyondView(this->Light, this->Camera) || EndsBeyondView(this->Light, view))

@@ -20,7 +20,6 @@
  * would suffice that the eye is outside of the piece, if depth clamp replaced clipping at the near
  * plane. But then a triangle that reaches behind the eye is clipped at w = 0, where depths have no
  * bound, and rasterisers that interpolate depth on the screen lose the depth of the whole triangle.
- * With z-fail, what lies before the near plane never counts and is clipped away.
  *
  * z-fail assumes that lines of sight end outside of all volumes, and that all faces behind the
  * receiver are drawn. For a parallel camera volumes of positional lights therefore end at finite
@@ -121,7 +120,11 @@ public:
     bool Boxes = true;
   };
 
-  vtkShadowDrawList(const vtkShadowLight& light, const View& view);
+  vtkShadowDrawList(const vtkShadowLight& light, const View& view)
+    : Light(light)
+    , Camera(view)
+  {
+  }
 
   /// Changes the view of a list in which all draws are whole volumes, drawn everywhere. Returns
   /// false, and changes nothing, if the volumes depend on the view (vtkShadowVolume.h).

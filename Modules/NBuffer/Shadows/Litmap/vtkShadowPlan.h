@@ -23,14 +23,8 @@
  *          | (r3)   |      > slab 2      drawn
  *       ---+--------+---  /
  *
- * The most common verdicts about a caster are:
- *
- *  - NoReceiver: there is no receiver on its rays. It is not drawn.
- *  - BeforeCaster: all receivers on its rays are nearer to the light. It is not drawn.
- *  - Boxed: its whole volume is drawn into boxes of pixels around the receivers, or into the whole
- *    viewport if View::Boxes is false.
- *  - Clamped, in mode Clamped: only the part of its volume in the slabs that the receivers occupy
- *    is drawn into such boxes.
+ * vtkShadowVerdict (vtkShadowStatistics.h) lists the verdicts about a caster. The most common ones
+ * are NoReceiver, BeforeCaster, Boxed and, in mode Clamped, Clamped.
  *
  * The boxes are found in the receivers' box on the screen: they enclose the tiles of 4 x 4 pixels
  * that the caster's shadow can reach (vtkShadowUmbra.h, vtkShadowTiles.h). A box is divided if that
