@@ -35,7 +35,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// a read-back would take longer than it saves; 1 or more.
   int MinimumNumberOfCandidates = 32;
 
-  /// The largest number of rounds (one test and one draw each) in a frame; 1 to 8.
+  /// The largest number of rounds (one test and one draw each) in a frame; 1 to 8. A pass that
+  /// draws the opaque props twice may add one.
   int MaximumNumberOfRounds = 6;
 
   /// The largest number of props that are drawn before the first test of a view of which little is

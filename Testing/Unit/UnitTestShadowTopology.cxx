@@ -230,12 +230,14 @@ TEST(ShadowTopology, DegenerateTrianglesAreLeftOut)
   mesh.Points.push_back({ 0, std::numeric_limits<double>::infinity(), 0 });
   mesh.Points.push_back({ 9, 9, 9 });
   mesh.Points.push_back({ 9, 9, 9 });
+  mesh.Points.push_back({ 0, 0, -1e39 });
   const std::vector<vtkIdType> bad = { 0, 1, 1, //
     0, points + 2, points + 3,                  // equal coordinates
     0, 1, points,                               // NaN
     points + 1, 0, 1,                           // infinity
+    0, 1, points + 4,                           // infinity as a float
     0, -1, 1,                                   //
-    0, 1, points + 4 };
+    0, 1, points + 5 };
   mesh.Triangles.insert(mesh.Triangles.begin() + 6, bad.begin(), bad.end());
   const vtkShadowTopology topology = Build(mesh);
   EXPECT_EQ(topology.GetNumberOfPoints(), 8);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -81,8 +82,9 @@ vtkShadowTopology::vtkShadowTopology(
   std::vector<int> merged(points.size(), -1);
   const auto isUsable = [&points](vtkIdType i)
   {
+    constexpr double largest = std::numeric_limits<float>::max();
     return i >= 0 && i < static_cast<vtkIdType>(points.size()) &&
-      vtkNBufferGLM::IsFinite(points[i]);
+      glm::all(glm::lessThanEqual(vtkNBufferGLM::Abs(points[i]), glm::dvec3(largest)));
   };
   for (std::size_t t = 0; t + 2 < triangles.size(); t += 3)
   {

@@ -22,7 +22,7 @@
  *        1
  *
  * Two kinds of triangles are left out: those that use a merged point twice (they have
- * no area, and their edges cancel), and those with a coordinate that is not finite.
+ * no area, and their edges cancel), and those with a coordinate that is no finite float.
  *
  * The topology depends only on the coordinates before any matrix is applied, so it is built once
  * for each mesh: an invertible affine matrix keeps equal points equal and convex bodies convex.
@@ -66,7 +66,8 @@ public:
   vtkShadowTopology() = default;
 
   /// The topology of triangles, at most 2^31 / 3, each of which has three indices into `points`. A
-  /// triangle with an index out of range is left out like one with a coordinate that is not finite.
+  /// triangle with an index out of range is left out like one with a coordinate that is no finite
+  /// float.
   vtkShadowTopology(const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles);
 
   /// The merged points that the kept triangles use, in the order of their first use.
