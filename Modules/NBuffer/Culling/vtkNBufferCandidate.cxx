@@ -35,7 +35,8 @@ bool HasUsableBounds(const double* bounds)
     std::all_of(bounds, bounds + 6, [](double value) { return std::abs(value) < Infinite; });
 }
 
-/// Whether a matrix leaves w as it is. VTK's bounds are wrong for what other ones project.
+/// Whether a matrix leaves w as it is. VTK's bounds of what other ones project are not those of
+/// what the device draws.
 bool IsAffine(vtkMatrix4x4* matrix)
 {
   const double* row = matrix->Element[3];

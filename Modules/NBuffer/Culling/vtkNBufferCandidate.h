@@ -6,13 +6,15 @@
  *
  * This class alone decides which props are tested. A prop is a candidate if everything that it
  * draws in the opaque stage lies inside its bounds, at the depths of its surface, and if it draws
- * nothing in the other stages. The verdict of every other prop says why it is none.
+ * nothing in the other stages. Every other prop is drawn as usual, and its verdict says why it is
+ * no candidate.
  *
  * Props that draw lines are no candidates. A device draws fragments up to half a pixel beyond the
  * ends of a line, and their depths continue the slope of the line. Nothing bounds these depths for
  * a line that is seen end-on.
  *
- * vtkNBufferSurface knows what an actor draws, and vtkNBufferPropWatch whether this has changed.
+ * vtkNBufferSurface knows what an actor draws. vtkNBufferPropWatch finds out whether this has
+ * changed since it was read.
  */
 #ifndef vtkNBufferCandidate_h
 #define vtkNBufferCandidate_h
@@ -65,7 +67,8 @@ public:
   /// The objects that a plain actor may share with others. For other props see ReadParts().
   const vtkNBufferSharedState::Uses& GetUses() const { return this->Uses; }
 
-  /// Set whether another prop uses one of these objects in another way, which only the list knows.
+  /// Set whether another prop uses one of these objects in another way. Only the list of all props
+  /// knows this.
   void SetSharesState(bool shares) { this->SharesState = shares; }
   bool GetSharesState() const { return this->SharesState; }
 
@@ -130,7 +133,8 @@ public:
   /**
    * Read the prop again if it has changed, or if `globalStateChanged` is true, because
    * vtkNBufferPropWatch::GetGlobalState() has changed. May run the prop's pipeline, and takes as
-   * long as vtkProp::GetBounds(). Returns whether what the prop draws may have changed.
+   * long as vtkProp::GetBounds(). Returns whether what the prop draws may have changed since the
+   * last call.
    */
   bool Refresh(bool globalStateChanged);
 

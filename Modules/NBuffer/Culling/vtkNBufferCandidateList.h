@@ -56,7 +56,8 @@ public:
   void Project();
   const vtkNBufferProjection& GetProjection() const { return this->Projection; }
 
-  /// The number of levels that MarkHidden() needs; see vtkNBufferCandidateTree.
+  /// The number of levels that MarkHidden() needs, at least 1. `factor` is the side of a texel of
+  /// level 0 in pixels.
   int GetLevelsNeeded(int factor) const { return this->Tree.GetLevelsNeeded(factor); }
 
   /// Set the Clearance of the deferred props below hidden nodes. This must be called before the
@@ -107,8 +108,9 @@ public:
   const vtkNBufferFaces::OfProp& GetFaces(int i) const { return this->FacesOfProps[i]; }
   ///@}
 
-  /// Copy the triangles that MayBeSeen() needs, of props that the last test found visible
-  /// (vtkNBufferMeshes::FindSmall).
+  /// Copy the triangles that MayBeSeen() needs: those of small meshes
+  /// (vtkNBufferMeshes::FindSmall), for props that the last test found visible, and only of a few
+  /// props in a frame.
   void CopyTriangles(const std::vector<int>& places);
 
   /// Whether one of `count` triangles of candidate i may be visible
@@ -121,7 +123,8 @@ public:
   const vtkNBufferCandidate& GetCandidate(int i) const { return this->Candidates[i]; }
   const vtkNBufferBox& GetBox(int i) const { return this->Candidates[i].GetBox(); }
 
-  /// The rectangle of prop i. If it was deferred, it is computed now, and may change the placement.
+  /// The rectangle of prop i. If it was deferred, it is computed now, which may change the prop's
+  /// placement.
   vtkNBufferScreenBox& GetScreen(int i)
   {
     if (this->States[i].RectangleIsStale)

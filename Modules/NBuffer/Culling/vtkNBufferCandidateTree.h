@@ -75,7 +75,8 @@ public:
   const Work& GetWork() const { return this->Done; }
 
   ///@{
-  /// To be called before Update() if the list, or verdict or box of one prop, has changed.
+  /// To be called before Update() if the list has changed, or if the verdict or the box of the prop
+  /// at `place` has changed.
   void ListHasChanged();
   void HasChanged(int place);
   ///@}

@@ -129,7 +129,8 @@ bool BeginsWithErasing(vtkRenderPass* root)
 
 /// Whether VTK draws any of the props in a way that is meant for its own depth alone. An offset
 /// that pushes a surface away from the eye pulls it towards the eye in reversed depth. Depth
-/// peeling and order-independent transparency compare depths in shaders.
+/// peeling and order-independent transparency compare translucent props with the depth in their
+/// shaders.
 bool NeedsOrdinaryDepth(vtkRenderer* renderer, const vtkNBufferCandidateList& props)
 {
   const auto comparesDepth = [](vtkRenderPass* pass)
@@ -151,7 +152,8 @@ bool IsDefaultFrustumCuller(vtkCuller* culler)
     frustum->GetSortingStyle() == VTK_CULLER_SORT_NONE;
 }
 
-/// Whether a culler that may remove props, and would not see those held back, comes after `self`.
+/// Whether a culler that may remove props comes after `self`. It would not see the props that are
+/// held back.
 bool IsOtherBehind(vtkCullerCollection* cullers, vtkCuller* self)
 {
   bool behind = false;
@@ -171,7 +173,8 @@ bool IsOtherBehind(vtkCullerCollection* cullers, vtkCuller* self)
 /// Whether this may be the ordinary frame that a hardware selector of points draws before it
 /// becomes the renderer's selector. In that frame VTK makes the buffers of props that have changed.
 /// A prop that is not drawn in it gets buffers of points, which vtkCompositePolyDataMapper draws by
-/// from then on. The frame is known by the settings that the selector has changed.
+/// from then on. The frame is known by the settings that the selector has changed for the sake of
+/// its own frames.
 bool PrecedesPointSelection(vtkRenderer* renderer)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();

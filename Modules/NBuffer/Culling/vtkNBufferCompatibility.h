@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferCompatibility.h
- * @brief Finds out when the culler must draw everything, by the ways in which VTK draws a frame.
+ * @brief Finds out when the culler must draw everything. No other file knows the ways in which VTK
+ * draws a frame.
  *
  * The culler may hold props back only if the renderer draws its opaque props once, from its active
  * camera, into a framebuffer with depth, and if nothing needs the props that the camera does not
@@ -34,14 +35,15 @@ struct vtkNBufferViewKey;
 
 namespace vtkNBufferCompatibility
 {
-/// Get the reason why `self` must not cull the next frame of `renderer`, which has these props, or
-/// None if it may.
+/// Get the reason why `self` must not cull the next frame of `renderer`, or None if it may. `props`
+/// are those in the renderer's list.
 VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(
   vtkRenderer* renderer, vtkCuller* self, vtkProp** props, int count);
 
 /// Move the frustum cullers that have default settings and run before `self` to the end of the
 /// collection, so that they run last: the frustum test of vtkNBufferView does everything that they
-/// do. If `self` was the last culler, they do not run again in this frame.
+/// do. If `self` was the last culler, they do not run again in this frame, because the renderer's
+/// iterator is at its end already.
 VTKNBUFFER_EXPORT void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vtkCuller* self);
 
 /**
@@ -57,12 +59,14 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferCandidateLi
   const vtkNBufferViewKey& key, vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source,
   std::string& why);
 
-/// Whether the renderer, or a vtkCameraPass of its pass, erases depth before it draws its props.
+/// Whether the renderer erases depth before it draws its props. With a render pass, vtkCameraPass
+/// does that.
 bool ErasesDepth(vtkRenderer* renderer);
 
 /// Whether translucent props are drawn over the depth of the opaque ones. Render passes may erase
-/// it before (vtkCameraPass, vtkClearZPass), or keep the depth of opaque props from the passes that
-/// follow (vtkToneMappingPass, and vtkFramebufferPass of VTK 9.1).
+/// it before (vtkCameraPass, vtkClearZPass), or draw opaque props into a framebuffer whose depth
+/// they do not hand on to the passes that follow (vtkToneMappingPass, and vtkFramebufferPass of
+/// VTK 9.1).
 bool KeepsOpaqueDepth(vtkRenderer* renderer);
 
 /// Whether the renderer processes the image (FXAA, SSAO) after it has drawn its props. This also

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferCullingPolicy.h
- * @brief Whether a frame in which props could be held back is worth a test. No OpenGL, no renderer.
+ * @brief Whether a frame in which props could be held back is worth a test against depth. No
+ * OpenGL, no renderer.
  */
 #ifndef vtkNBufferCullingPolicy_h
 #define vtkNBufferCullingPolicy_h

@@ -23,7 +23,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// If pixels are not in host memory, reading them is worth its cost for this many candidates.
+/// If the pixels are not in host memory yet, reading them is worth its cost for at least this many
+/// candidates.
 constexpr std::size_t CandidatesWorthARead = 32;
 
 /// The number of props that is worth a thread of its own in the tests of pixels and slivers.

@@ -95,8 +95,9 @@ public:
   /// The depth that units are compared with. It is valid after Build() until something is drawn.
   vtkNBufferDividedProp::Depth GetDepthOfUnits();
 
-  /// Report to the other ranks the number of candidates and units in the frustum, and how many
-  /// candidates are held back in a new view (or 0). To be called before Build().
+  /// Report to the other ranks the number of candidates and units in the frustum, and how many of
+  /// the candidates are held back in a new view (0 if the view is not new). To be called before the
+  /// first Build() of a frame.
   void SetCounts(int candidates, int newProps);
 
   /// Remove the places of hidden candidates from `places`. Returns how many candidates the levels
@@ -121,9 +122,11 @@ private:
   int RemoveBehind(std::vector<int>& places);
   /// Remove the places of candidates that are behind these pixels.
   void RemoveBehindPixels(std::vector<int>& places, const float* depth);
-  /// How many candidates RemoveBehind() finds hidden. The statistics count only the time of that.
+  /// How many candidates of all lists RemoveBehind() finds hidden. The statistics count only the
+  /// time that this takes.
   int CountHidden(std::initializer_list<const std::vector<int>*> places);
-  /// The depth image with the pixels of these candidates, or nullptr if it is not worth reading.
+  /// The depth image, with at least the pixels of these candidates, or nullptr if it is not worth
+  /// reading for them.
   const float* GetDepth(const std::vector<int>& places);
   /// The screen box of a candidate, or nullptr for one that is not Inside.
   const vtkNBufferScreenBox* GetScreen(int i);

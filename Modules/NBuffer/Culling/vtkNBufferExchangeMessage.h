@@ -64,7 +64,8 @@ struct vtkNBufferRankReply
 class VTKNBUFFER_EXPORT vtkNBufferExchangeMessage
 {
 public:
-  /// The message of rank `rank` of `ranks`, with `texels` texels of level 0 at the far plane.
+  /// The message of rank `rank` of `ranks`, with room for a level 0 of `texels` texels, all of them
+  /// at the far plane.
   vtkNBufferExchangeMessage(std::size_t texels, int ranks, int rank);
 
   /// Level 0 of the rank's own depth, to be filled in.

@@ -49,7 +49,8 @@ void vtkNBufferExchangePlan::Learn(const vtkNBufferRankReply& reply, int number)
   this->WasNew = isNew;
   if (this->BackOff.IsPaused())
   {
-    // The first exchange after a pause is a trial, and verdicts from before it are not used again.
+    // The first exchange after a pause is a trial, and the verdicts from before the pause are not
+    // used again.
     this->UntilTrial = 0;
     this->IsQuiet = false;
   }

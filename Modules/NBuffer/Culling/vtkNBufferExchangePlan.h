@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferExchangePlan
- * @brief How many exchanges of depth ranks have in a frame. No MPI, no OpenGL, no renderer.
+ * @brief How many exchanges of depth the ranks of a parallel program have in a frame. No MPI, no
+ * OpenGL, no renderer.
  *
  * An exchange is collective: if one rank waits for it and another one does not join, the program
  * hangs. So every rank has a plan, and all plans must come to the same number. Therefore a plan
@@ -57,7 +58,8 @@ public:
   /// Whether the number of exchanges depends on a poll that is still to come.
   bool HasPoll() const { return this->Planned > 0 && this->IsQuiet; }
 
-  /// The number of exchanges of this frame, which a poll may reduce to 0 and Learn() may raise.
+  /// The number of exchanges of this frame; a poll may reduce it to 0, and only Learn() may make it
+  /// larger.
   int GetNumberOfExchanges() const { return this->Planned; }
 
   /// Whether the first exchange of this frame is a trial.

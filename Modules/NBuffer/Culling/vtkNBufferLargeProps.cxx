@@ -19,14 +19,16 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Whether a plain mapper can be made to draw only some of its primitives, or of its blocks.
+/// Whether a plain mapper can be made to draw only some of its primitives or, for composite data,
+/// only some of its blocks.
 bool HasUnits(vtkMapper* mapper)
 {
   return !vtkNBufferSurface::IsComposite(mapper) || vtkNBufferBlockStream::MayBeDivided(mapper);
 }
 
 /// Whether data has at least `minimum` cells. (GetNumberOfElements() of composite data counts the
-/// cells of all blocks in each call, which takes milliseconds.)
+/// cells of all blocks in each call, which takes milliseconds, where the first blocks may be
+/// enough.)
 bool HasCells(vtkDataObject* data, vtkIdType minimum)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(data);

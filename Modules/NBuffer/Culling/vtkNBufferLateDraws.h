@@ -81,7 +81,8 @@ private:
   int DrawWhole(vtkRenderer* renderer, int place);
   /// Draw what has been drawn of a prop already.
   int DrawAgain(vtkRenderer* renderer, int place);
-  /// Describe the next draw of a prop by groups of its fresh units, or as a whole if it has none.
+  /// Describe the next draw of a prop by its fresh units, in groups, or as a whole if `units` is
+  /// nullptr or has none.
   void DescribeNext(const vtkNBufferDividedProp* units, const vtkNBufferDrawnProp& whole);
   std::vector<vtkNBufferDrawnProp> GetAllDrawn(
     const vtkNBufferPartition& partition, bool screensAreValid, vtkInformation* requiredKeys) const;

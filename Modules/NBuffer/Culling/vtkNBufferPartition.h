@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferPartition
- * @brief Divides the candidates in the frustum into those to draw first and those to hold back.
+ * @brief Divides the candidates in the frustum of one frame into those to draw first and those to
+ * hold back.
  *
  * - kept: The last test found them visible. The renderer draws them, and their depth hides others.
  * - held back: The last test found them hidden, or there was none. They are drawn after the test of
@@ -42,7 +43,8 @@ public:
   /// Divide the props by their placements in the view, and set the verdicts of those that need no
   /// test. `firstBlended` is that of vtkNBufferListTraits: the opaque candidates from there on are
   /// in none of the lists. If most of the kept props are seen from elsewhere now, all that earlier
-  /// tests have found out is forgotten, and no prop is kept.
+  /// tests have found out is forgotten, and no prop is kept. Returns the number of props of each
+  /// kind.
   vtkNBufferFrustumCounts Classify(int firstBlended);
 
   /// The `firstBlended` of the last Classify().
@@ -54,13 +56,16 @@ public:
   /// back, because it hides least. Its depth is missing from the test.
   void HoldBack(bool needsOne);
 
-  /// Neither draw nor test a prop of HoldBack(), whose units are all outside of the frustum.
+  /// Neither draw nor test a prop with the verdict of HoldBack(), because all of its units are
+  /// outside of the frustum.
   void SetOutside(int place);
 
-  /// Prepare a frame without a test: empty the lists, and let the next frame keep all props.
+  /// Prepare a frame without a test: empty the lists. All props are drawn, and the next frame keeps
+  /// them.
   void KeepAll();
 
-  /// Compute placements and rectangles in the three lists again, after the projection has changed.
+  /// Compute the placements and rectangles of the props in the three lists again, after the
+  /// projection has changed.
   void Project();
 
   /// How many props may be drawn before the first test, if `props` are held back: `roundSize` or,

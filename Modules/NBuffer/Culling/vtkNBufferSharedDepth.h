@@ -117,8 +117,9 @@ public:
   bool IsTrial() const { return this->Joined == 0 && this->Plan.IsTrial(); }
 
   /**
-   * If an exchange is left in this frame, join it with level 0 of this rank's depth. Then merge the
-   * minima of the last exchange into level 0. Returns whether that made a texel nearer.
+   * If an exchange is left in this frame, join it with level 0 of this rank's depth. Then merge
+   * into level 0 the minima that the last exchange has brought. Returns whether that made a texel
+   * nearer.
    */
   bool Merge(vtkNBufferLevels& base);
 

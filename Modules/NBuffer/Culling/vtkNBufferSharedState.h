@@ -91,8 +91,9 @@ public:
   static bool HasNewShaders(vtkMapper* mapper);
 
   /// Mark the mapper of an actor if it goes on with its shaders although the actor no longer sets
-  /// all parameters that it set `before`. That is so if the actor has lost its texture or has got a
-  /// property that is older than the shaders. Does nothing for composite data.
+  /// all parameters that it set `before`. That is so if the actor has lost its texture or has got
+  /// a property that was last modified before the shaders were made. Does nothing for composite
+  /// data.
   static void MarkIfShadersStay(vtkActor* actor, const Uses& before);
 
 private:

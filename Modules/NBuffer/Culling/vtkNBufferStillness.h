@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferStillness
- * @brief Whether a frame of a view draws the same as the last one, whose verdicts are valid then.
+ * @brief Whether a frame of a view draws the same as the last one, so that the verdicts of the last
+ * one are still valid.
  *
  * It does unless the list of props, a prop, the view, or a setting has changed. If a frame does not
  * begin by erasing color and depth, its depth also depends on what was drawn before, and it never
@@ -10,7 +11,8 @@
  *
  * In a parallel program this class compares the frames of one rank; vtkNBufferSharedDepth::Poll()
  * finds out about the other ranks. It also counts as a change if depth is shared in only one of the
- * two frames, or if ranks have exchanged depth since the last frame that was not frozen.
+ * two frames, or if ranks have exchanged depth since the last frame of this view that was not
+ * frozen.
  */
 #ifndef vtkNBufferStillness_h
 #define vtkNBufferStillness_h

@@ -12,7 +12,8 @@
  * only these. Buffers, program, uniforms and order stay VTK's.
  *
  * Here, a unit of vtkNBufferUnits is one block. The units are made from a mesh with two points for
- * each block: two opposite corners of its box. Blocks may have any cells.
+ * each block: two opposite corners of its box. Blocks may have cells of any kind, with or without
+ * values of cells.
  */
 #ifndef vtkNBufferBlockStream_h
 #define vtkNBufferBlockStream_h
@@ -53,7 +54,8 @@ public:
   /// Forget all blocks.
   void Clear();
 
-  /// Add the boxes of the blocks that a mapper of blocks is about to draw, once after Clear().
+  /// Add to `boxes` the boxes of the blocks that a mapper of blocks is about to draw, if they have
+  /// not been added since Clear().
   void Read(vtkAbstractMapper* mapper, vtkNBufferUnits::Mesh& boxes);
 
   /// The number of the block with this flat index among the blocks that were read since Clear();

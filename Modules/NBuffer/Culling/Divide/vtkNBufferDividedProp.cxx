@@ -45,7 +45,8 @@ vtkNBufferDividedProp::~vtkNBufferDividedProp()
 
 void vtkNBufferDividedProp::Release()
 {
-  // This waits for a thread that is building, which takes less time than to read the mesh again.
+  // A thread that is still building is awaited here. That takes less time than reading the mesh
+  // again.
   this->Pending = {};
   this->State = Phase::Waiting;
   this->StillFrames = 0;

@@ -64,8 +64,9 @@ public:
   /// Draw the prop whole, and forget its units, until the next BeginFrame().
   void Release();
 
-  /// Begin a frame. `changed` says whether what the prop draws may have changed, and `device` is
-  /// nullptr or tests units and makes lists on the graphics device.
+  /// Begin a frame. `changed` says whether what the prop draws may have changed, `device` is
+  /// nullptr or tests units and makes lists on the graphics device, and the tuning says how units
+  /// are made.
   void BeginFrame(bool changed, vtkOpenGLRenderWindow* window, vtkNBufferUnitDevice* device,
     const vtkNBufferTuning& tuning);
 
@@ -79,7 +80,7 @@ public:
   void FindKept(const vtkNBufferProjection& projection) { this->Culling.FindKept(projection); }
 
   /// Step 3. Returns the number of fresh units. If as many units as are worth more than `limit`
-  /// props are visible and have not been drawn, far ones may be left to another test
+  /// props are visible and have not been drawn, far ones may be left to another test after step 4
   /// (HasPostponed()).
   int Test(const vtkNBufferProjection& projection, const Depth& depth, int limit);
 

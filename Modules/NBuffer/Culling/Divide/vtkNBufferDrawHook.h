@@ -9,9 +9,11 @@
  * with another index buffer in the place of the mapper (vtkNBufferOwnDraw). Program, vertex buffers
  * and uniforms stay the same, so that each primitive has the same fragments, to the bit. No
  * subclass of a mapper is needed, and no shader is changed. What a mapper draws by one call of
- * OpenGL (a vtkOpenGLHelper) is called a stream here.
+ * OpenGL is called a stream here: a vtkOpenGLHelper, with an index buffer, a program and a vertex
+ * array.
  *
- * If a mesh has scalars or normals of cells, ranges of the mapper's own index buffer are drawn.
+ * If a mesh has scalars or normals of cells, the shader needs the number of each primitive. Ranges
+ * of the mapper's own index buffer are then drawn instead.
  *
  * A prop is drawn whole while it changes; if it has strips or lines as well as polygons; if its
  * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor

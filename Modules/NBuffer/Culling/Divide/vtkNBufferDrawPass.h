@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferDrawPass
- * @brief A render pass in the property keys of large props, which mappers call before they draw.
+ * @brief A render pass in the property keys of large props, which their mappers call before they
+ * draw.
  *
  * A mapper makes its shaders anew if the passes of an actor are not those of the last draw. What
- * its actors look like depends on when the shaders are made. Therefore:
+ * its actors look like depends on when the shaders are made, and without the culler they would not
+ * be made anew. Therefore:
  *
  * - Where the pass is added or removed, it is added to or removed from what the mapper knows of its
  *   last draws as well, so that it sees no difference: the pass changes no shader. (This is not
@@ -114,7 +116,8 @@ private:
   struct Registry;
   static const std::shared_ptr<Registry>& GetRegistry();
 
-  /// The actor's entry. If there is none for its mapper, it is made, and the pass is added.
+  /// The actor's entry, new and with the pass in the actor's keys if there was none, or if it is
+  /// for another mapper.
   User& AddUser(vtkActor* actor);
   /// Remove the pass from the keys of an actor that is no user any more, and, if no user has got
   /// the pass with the same mapper, from what this mapper knows of its last draws.

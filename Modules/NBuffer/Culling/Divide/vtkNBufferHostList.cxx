@@ -15,7 +15,8 @@ namespace
 {
 using Range = vtkNBufferUnits::Range;
 
-/// While it lives, a buffer is in the memory of the host. It stays bound to GL_ARRAY_BUFFER.
+/// While it lives, a buffer is in the memory of the host. The last buffer that was bound to
+/// GL_ARRAY_BUFFER stays bound.
 class Mapping
 {
 public:

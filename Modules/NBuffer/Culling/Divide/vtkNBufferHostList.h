@@ -26,7 +26,8 @@ namespace vtkNBufferHostList
  * Copy the records of the primitives in `ranges` that are also in `part`, in their order. The
  * ranges are in ascending order, as those of vtkNBufferUnits::GetRanges(), and a source has one
  * record for each primitive of the part. If the name of the source is 0, the record of a primitive
- * is its number. Returns the number of records that were copied, or nothing if OpenGL lacks memory.
+ * is its number. Returns the number of records that were copied, or nothing if OpenGL maps no
+ * buffer, for lack of memory.
  */
 VTKNBUFFER_EXPORT std::optional<std::size_t> Copy(const std::vector<vtkNBufferUnits::Range>& ranges,
   const vtkNBufferUnits::Range& part, const std::vector<vtkNBufferUnitDevice::Records>& records);

@@ -11,7 +11,8 @@
  *
  * VTK passes the number of instances to OpenGL itself, which cannot be changed. In the place of
  * VTK's draw (vtkNBufferOwnDraw), this class therefore attaches buffers with the chosen instances
- * alone to the vertex array, draws them in their order, and attaches VTK's buffers again.
+ * alone to the vertex array, draws them, and attaches VTK's buffers again. The instances keep their
+ * order.
  *
  * Here, a unit of vtkNBufferUnits is a group of instances. The units are made from a mesh with two
  * points for each instance: two opposite corners of its box. Instances are numbered in the order in
@@ -109,7 +110,8 @@ private:
     bool IsPending = false; ///< Whether the list has yet to be made.
   };
 
-  /// The mapper of a source, and when it uploaded what it draws: equal keys draw the same.
+  /// The mapper of a source, and when it uploaded what it draws. Two draws with equal keys draw the
+  /// same.
   struct Key
   {
     const void* Mapper = nullptr; ///< Only compared, never dereferenced.

@@ -8,8 +8,9 @@
  * calls a function that draws, and then sets the number of indices of VTK's own draw to 0. Program,
  * textures, uniforms and vertices are VTK's.
  *
- * This does not stop a draw without an index buffer (vtkNBufferSplatStream). OpenGL discards such a
- * draw after glBeginConditionalRender() with a query that has counted nothing.
+ * This does not stop a draw without an index buffer (vtkNBufferSplatStream). Such a draw is made
+ * after glBeginConditionalRender() with a query that has counted nothing, so that OpenGL discards
+ * it.
  *
  * If a mesh has scalars or normals of cells, ranges of VTK's own list of indices are drawn. The
  * shader of vtkOpenGLPolyDataMapper reads the values of a cell from a texture, at the place
@@ -51,7 +52,8 @@ public:
 
   void ReleaseGraphicsResources() { this->Nothing.Delete(); }
 
-  /// Draw ranges of a stream, when everything else has been bound. Returns false if there are none.
+  /// Draw ranges of the primitives of a stream, when everything else has been bound. Returns false
+  /// if there are none.
   static bool DrawRanges(
     const std::vector<vtkNBufferUnits::Range>& ranges, vtkOpenGLHelper* stream);
 

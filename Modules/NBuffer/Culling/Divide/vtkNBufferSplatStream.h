@@ -6,7 +6,8 @@
  *
  * The mapper lets a helper draw, which is a mapper of polydata with one vertex for each splat.
  * Since VTK 9.3 the helper draws by an index buffer. In older versions it calls glDrawArrays() for
- * all vertices, whatever the number of indices; see vtkNBufferOwnDraw.
+ * all vertices, and setting the number of indices to 0 does not prevent that; see
+ * vtkNBufferOwnDraw.
  *
  * Only splats with the scale factor 0, drawn as opaque points, are divided. Splats with a radius
  * are blended among opaque props, with the depth of the whole splat, so that what is drawn before

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferUnitAnswers
- * @brief What a graphics device has found out about nodes of vtkNBufferUnits. No OpenGL.
+ * @brief What a graphics device has found out about the units of a large prop and the nodes above
+ * them (vtkNBufferUnits). No OpenGL.
  */
 #ifndef vtkNBufferUnitAnswers_h
 #define vtkNBufferUnitAnswers_h

@@ -37,7 +37,8 @@ public:
   /// the frustum. It contains `inside` units; `kept` of these were visible.
   bool IsNew(int inside, int kept) const;
 
-  /// Whether `fresh` units are so many, after `drawn` ones, that most probably hide each other.
+  /// Whether `fresh` units are so many, after `drawn` have been drawn, that most of them are
+  /// probably hidden by others of them.
   static bool AreMany(int fresh, int drawn) { return NewView * fresh > drawn; }
 
   /// Project a unit. Returns false if it is not among those in question or reaches the near plane.

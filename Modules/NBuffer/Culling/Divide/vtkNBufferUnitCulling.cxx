@@ -39,7 +39,8 @@ struct vtkNBufferUnitCulling::Tests
   const vtkNBufferUnitAnswers* Answers = nullptr;
 };
 
-/// Call function(level, begin, end), perhaps in parallel, for ranges of nodes that have all units.
+/// Call function(level, begin, end) for ranges of nodes that together have all units, in parallel
+/// if there are many.
 template <typename Function>
 void vtkNBufferUnitCulling::RunInThreads(const Function& function)
 {

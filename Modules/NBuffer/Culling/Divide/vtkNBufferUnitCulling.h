@@ -36,7 +36,8 @@ public:
     std::function<const vtkNBufferTexture*()> GetTexture = {};
   };
 
-  /// The number of units in this frame: all, outside of the frustum, drawn first (kept), and fresh.
+  /// How many units there are in this frame: all, those outside of the frustum, those that are
+  /// drawn first (kept), and the fresh ones.
   struct Counts
   {
     int Units = 0;
@@ -71,15 +72,18 @@ public:
   void ClearDrawn();
 
   /// Test the units in the frustum. Those that are visible and not drawn are fresh. Returns their
-  /// number. If `answers` is not nullptr, those of a graphics device replace tests.
+  /// number. If `answers` is not nullptr, a graphics device has made the tests for which it has an
+  /// answer.
   int Test(const vtkNBufferProjection& projection, const Depth& depth,
     const vtkNBufferUnitAnswers* answers = nullptr);
 
   /// If many units are fresh (vtkNBufferUnitChoice::AreMany()), let only those stay fresh that
-  /// probably hide the others. Returns whether there are others, which have to be tested again.
+  /// probably hide the others, which have to be tested again once these are drawn. Returns whether
+  /// there are such others.
   bool PostponeFar(const vtkNBufferProjection& projection);
 
-  /// How many units are left if the levels are compared with nodes of the highest level alone.
+  /// How many units are left if only nodes of the highest level that Test() tests are compared with
+  /// the levels.
   std::size_t CountInDoubt(const vtkNBufferProjection& projection, const Depth& depth) const;
 
   /// Whether all answers of a device are those of the host.
@@ -93,7 +97,8 @@ public:
   void AddFreshToDrawn();
 
   ///@{
-  /// For each unit, 1 if it has been drawn in this frame, or if it is fresh, otherwise 0.
+  /// For each unit, 1 if it has been drawn in this frame (GetDrawn()) or is fresh (GetFresh()),
+  /// otherwise 0.
   const std::vector<unsigned char>& GetDrawn() const { return this->DrawnUnits; }
   const std::vector<unsigned char>& GetFresh() const { return this->FreshUnits; }
   ///@}

@@ -45,7 +45,8 @@ class vtkWindow;
 class VTKNBUFFER_EXPORT vtkNBufferUnitDevice
 {
 public:
-  /// What the device keeps of the units of one prop. To be deleted when the units change.
+  /// What the device keeps of the units of one prop, and buffers that are used again and again. To
+  /// be deleted when the units change.
   struct Buffers
   {
     vtkNBufferGL::Buffer Boxes;   ///< Of the nodes that are tested.
@@ -97,7 +98,8 @@ public:
     vtkNBufferGL::Buffer Object; ///< A Command, if the device has made the list.
     Command OfHost;              ///< If the host has made it.
 
-    /// Whether there may be anything to draw; only the device knows the length of its lists.
+    /// Whether there may be anything to draw; only the device knows whether a list that it has made
+    /// has any primitives.
     bool MayDraw() const
     {
       return this->Object.GetName() != 0 || (this->OfHost.Count > 0 && this->OfHost.Instances > 0);

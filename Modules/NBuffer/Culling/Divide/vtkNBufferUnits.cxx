@@ -79,7 +79,8 @@ struct Entry
   unsigned int Primitive;
 };
 
-/// Bring primitives into an order in which those of each unit or node are neighbours in space.
+/// Bring primitives into an order in which those of each unit, and of each node of the hierarchy,
+/// are neighbours in space.
 void SplitAtMedian(Entry* begin, Entry* end, std::size_t unitSize)
 {
   const auto size = static_cast<std::size_t>(end - begin);

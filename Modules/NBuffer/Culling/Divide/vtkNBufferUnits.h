@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferUnits
- * @brief The parts of a large mesh that are culled one by one, and their hierarchy. No OpenGL.
+ * @brief The parts of a large mesh that are culled one by one, and a hierarchy of their boxes. No
+ * OpenGL.
  *
  * A unit is a group of primitives, which are triangles or points. The units are either runs of
  * neighbours in the order in which the mesh is drawn, or groups of neighbours in space, whichever
@@ -110,7 +111,8 @@ public:
   std::vector<std::uint32_t> GetUnitsOfPrimitives() const;
 
   /// Get the unit of one primitive, or GetSize() if there is no such primitive. If the units are
-  /// groups in space, the first call keeps GetUnitsOfPrimitives() as a table.
+  /// groups in space, the first call makes a table by GetUnitsOfPrimitives(), which takes 4 bytes
+  /// for each primitive.
   std::size_t FindUnit(std::size_t primitive);
 
 private:

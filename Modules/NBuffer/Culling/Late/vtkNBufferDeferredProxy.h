@@ -7,8 +7,9 @@
  *
  * When the renderer draws the proxy, the depth of all opaque props before it is in the framebuffer.
  * The proxy then lets its owner test the props that are held back and draw those that may be
- * visible. They are plain opaque actors (vtkNBufferCandidate), so the proxy draws nothing in other
- * stages. README.md of this folder describes the whole frame.
+ * visible. They are plain opaque actors (vtkNBufferCandidate), so the proxy draws nothing in the
+ * stages for translucent, volumetric and overlay geometry. README.md of this folder describes the
+ * whole frame.
  */
 #ifndef vtkNBufferDeferredProxy_h
 #define vtkNBufferDeferredProxy_h

@@ -41,7 +41,8 @@ public:
   vtkTypeMacro(vtkNBufferFrameGuard, vtkCommand);
 
   ///@{
-  /// Observe a renderer, whose list of observers owns the guard, too, until Detach() is called.
+  /// Observe a renderer until Detach() is called. The renderer's list of observers owns the guard,
+  /// too.
   void Attach(vtkRenderer* renderer);
   void Detach();
   ///@}
@@ -49,7 +50,8 @@ public:
   /// To be called when the renderer begins to draw a frame that `culler` culls.
   void BeginFrame(vtkObject* culler);
 
-  /// Called when a frame ends, the renderer is deleted, or its collection of props changes.
+  /// Called by the renderer at the end of a frame and when it is deleted, and by the renderer's
+  /// collection of props when it changes.
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
 protected:

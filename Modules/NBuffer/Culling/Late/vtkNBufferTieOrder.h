@@ -30,7 +30,8 @@
  *     whole:           B C D E
  *     in rectangles:   b                 The part of B that touches A does not reach C.
  *
- * A tie does not matter behind what has been drawn: most parts of a machine touch inside of it.
+ * A tie does not matter where it lies behind what has been drawn: most parts of a machine touch
+ * inside of it.
  */
 #ifndef vtkNBufferTieOrder_h
 #define vtkNBufferTieOrder_h
@@ -45,7 +46,8 @@ VTK_ABI_NAMESPACE_BEGIN
 
 /**
  * A prop that has been drawn in this frame, or a part of one. A prop that was drawn in several
- * rounds has an entry for each. Any of them stands for the whole prop when it is redrawn.
+ * rounds has an entry for each round. Any of them stands for the whole prop when it is drawn once
+ * more.
  */
 struct vtkNBufferDrawnProp
 {

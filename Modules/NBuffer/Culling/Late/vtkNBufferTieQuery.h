@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferTieQuery.h
- * @brief Finds out from the device whether a draw has fragments with a depth that is there already.
+ * @brief Finds out from the device whether a draw has fragments with the same depth as what has
+ * been drawn before.
  */
 #ifndef vtkNBufferTieQuery_h
 #define vtkNBufferTieQuery_h

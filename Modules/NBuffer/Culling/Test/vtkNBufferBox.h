@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferBox
- * @brief An axis-aligned box in the world, and what bounds the rounding of its vertices. No OpenGL.
+ * @brief An axis-aligned box in world coordinates, and what bounds the rounding of the vertices in
+ * it. No OpenGL.
  */
 #ifndef vtkNBufferBox_h
 #define vtkNBufferBox_h
@@ -23,10 +24,12 @@ struct vtkNBufferBox
   glm::dvec3 Origin = glm::dvec3(0.0);
   glm::dvec3 Magnitude = glm::dvec3(0.0);
   ///@}
-  /// How many pixels the fragments of lines and points may stick out of the projected box, or 0.
+  /// How many pixels the fragments of lines and points may stick out of the projected box. 0 if the
+  /// box contains neither.
   double Margin = 0.0;
 
-  /// Whether all numbers are the same. With GLM's operator no infinity would equal itself.
+  /// Whether all numbers are the same. An infinity equals itself here, but not with GLM's operator,
+  /// which compares differences.
   bool operator==(const vtkNBufferBox& other) const
   {
     const auto same = [](const glm::dvec3& a, const glm::dvec3& b)

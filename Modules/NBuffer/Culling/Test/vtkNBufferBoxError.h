@@ -64,7 +64,8 @@
  *
  * Triangles lower than 1/16 pixel are not covered. Few of them own a sample, but a rasteriser such
  * as llvmpipe may give this sample any depth. vtkNBufferSliverTest tests them one by one.
- * docs/precision.md compares this slack with the largest errors found.
+ * docs/precision.md compares this slack with the largest errors found for each format and
+ * projection.
  */
 #ifndef vtkNBufferBoxError_h
 #define vtkNBufferBoxError_h
@@ -113,7 +114,8 @@ public:
   static constexpr double GridStep = 1.0 / 256;
   static constexpr double LowestHeight = 1.0 / 16; ///< t of the derivation above, in pixels.
 
-  /// The viewport has `size` pixels from `origin` on. `subpixelBits` is b of the derivation above.
+  /// The viewport begins at `origin` in the window and has `size` pixels. `subpixelBits` is b of
+  /// the derivation above.
   void Set(const vtkNBufferDepthFormat& format, const glm::ivec2& origin, const glm::ivec2& size,
     int subpixelBits);
 
@@ -148,14 +150,16 @@ public:
     return isWhole && !(box.Margin > 0.0) ? this->WholeBorder : box.Margin + LargestSnap;
   }
 
-  /// The slack above of a box whose depths have this range, and z / w at least `lowest`.
+  /// The slack above of a box whose depths have the range R and whose nearest corner has the value
+  /// `lowest` of z / w.
   double GetDepthSlack(double lowest, double range) const
   {
     return this->Format.Slack + this->Format.RelativeSlack * std::abs(lowest) +
       this->GetInterpolationSlack(range);
   }
 
-  /// The last term of the slack above, for a box whose depths have this range.
+  /// The last term of the slack above: what interpolation costs in a box whose depths have the
+  /// range R.
   double GetInterpolationSlack(double range) const { return range * this->DepthRangeSlack; }
 
   const vtkNBufferDepthFormat& GetFormat() const { return this->Format; }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferCoarseDepth
- * @brief Guesses which of many boxes hide the others, by a coarse depth image. No OpenGL.
+ * @brief Guesses which of many boxes hide the others, by a depth image of 4 x 4 pixels per square.
+ * No OpenGL.
  *
  * A box stands for the squares of the middle three quarters of the width and height of its
  * rectangle (those of which this part covers at least three pixels in x and in y), or for the
@@ -40,7 +41,8 @@ public:
   {
   }
 
-  /// Let a box hide what is behind it, by Pixels and Farthest of its vtkNBufferScreenBox.
+  /// Let a box hide what is behind it, by the members Pixels and Farthest of its
+  /// vtkNBufferScreenBox.
   void Add(const vtkNBufferRectangle& pixels, double farthest)
   {
     ForEach(*this, GetMiddle(pixels), [&](double& depth) { depth = std::min(depth, farthest); });

@@ -127,8 +127,9 @@ bool vtkNBufferFaceTest::MayBeInFront(
     (this->Errors.DepthErrorPerSlope + this->Errors.SlopeRounding) * (range + 2.0 * ofDepth) /
       (ofBox.GetInterpolationSlack(range) + clearance);
 
-  // Each corner may be away from its plane, which changes the determinant by at most Flatness times
-  // L^2 (|e| + g diagonal); the plane is rounded to float; coordinates may be large.
+  // Each corner may be away from its plane, which changes the determinant by at most Flatness
+  // times L^2 (|e| + g diagonal); the plane is rounded to float; and coordinates may be large
+  // compared with the box.
   view.Eye = glm::dvec4(glm::dvec3(this->Eye) - this->Eye.w * piece.Center, this->Eye.w);
   view.OfFaces = 4.0 * view.Tolerance * (GetSize(view.Eye) + std::abs(view.Eye.w) * diagonal) +
     0x1p-40 * diagonal * (GetSize(this->Eye) + std::abs(this->Eye.w) * GetSize(piece.Center));

@@ -10,7 +10,8 @@
  *
  * The faces of a mesh form pieces of TrianglesOfPiece triangles, each with its box, and a is
  * relative to the center of the piece. A piece takes 80 bytes. Pieces and faces of all props lie in
- * one block of memory each: tests of thousands of props mostly wait for memory.
+ * one block of memory each: where thousands of props are tested in a frame, most of the time is
+ * spent waiting for memory.
  */
 #ifndef vtkNBufferFaces_h
 #define vtkNBufferFaces_h
@@ -27,7 +28,8 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferFaces
 {
 public:
-  /// How far a corner may be from the plane of its face, as a share of the longest side.
+  /// A corner may be this share of the longest side of its triangle away from the plane of its
+  /// face.
   static constexpr double Flatness = 1.0 / (1 << 20);
 
   static constexpr std::size_t TrianglesOfPiece = 32;
@@ -38,7 +40,8 @@ public:
   {
     glm::dvec3 Center;
     ///@{
-    /// Those of vtkNBufferBox. Origin, relative to Center, and Magnitude are the prop's.
+    /// Those of vtkNBufferBox. Origin, which is relative to Center, and Magnitude are those of the
+    /// prop.
     glm::vec3 HalfSize;
     glm::vec3 Origin;
     glm::vec3 Magnitude;

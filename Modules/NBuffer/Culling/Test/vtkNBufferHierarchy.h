@@ -6,7 +6,8 @@
  *
  * The hierarchy is a binary tree. Each node is split at the median of the centres of its boxes,
  * along the axis on which the centres extend farthest. The nodes are stored depth first. A jump to
- * an index (Next) then skips all below a node, and refitting is one pass backwards:
+ * an index (Next) then skips everything below a node, and refitting is one pass from the last node
+ * to the first:
  *
  *              0              nodes      0 1 2 3 4 5 6
  *          1       4          Next       7 4 3 4 7 6 7
@@ -68,7 +69,8 @@ public:
   /// Replace the box of a place that is in the tree. The nodes follow with the next Refit().
   void Move(int place, const vtkNBufferBox& box);
 
-  /// Fit the nodes to the boxes replaced since the last call. Returns how many nodes were fitted.
+  /// Fit the nodes to the boxes that were replaced since the last call. Returns the number of nodes
+  /// that were fitted.
   int Refit();
 
   /**

@@ -25,7 +25,8 @@ constexpr auto& Evaluate = vtkNBufferBoxError::Evaluate;
 class vtkNBufferProjection::Extent
 {
 public:
-  /// An empty extent for points of `box`, whose clip coordinates the rows of the matrix give.
+  /// An empty extent for points of `box`. `worldToClip` are the rows of the matrix that gives their
+  /// clip coordinates.
   Extent(const Rows& worldToClip, const vtkNBufferBox& box)
   {
     for (int i = 0; i < 4; ++i)
@@ -83,7 +84,8 @@ void vtkNBufferProjection::Set(const double worldToClip[16], int width, int heig
   this->Width = width;
   this->Height = height;
   this->Error.Set(format, origin, glm::ivec2(width, height), subpixelBits);
-  // Without an inverse its elements are NaN, which every comparison below takes for "unknown".
+  // If there is no inverse all its elements are NaN, which every comparison below takes for
+  // "unknown".
   this->ClipToWorld.Set(worldToClip);
   for (int i = 0; i < 4; ++i)
   {
@@ -346,7 +348,8 @@ vtkNBufferContact vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
   }
   if (placement == vtkNBufferPlacement::Inside)
   {
-    // The fragments of this box have its errors. Its border may be wider by less than one pixel.
+    // The fragments of this box are drawn with its errors. Its border may be wider by less than one
+    // pixel.
     const int wider = screen.Border > sharedScreen.Border ? 1 : 0;
     const auto cut = [wider](const vtkNBufferRectangle& pixels, const vtkNBufferRectangle& to) {
       return pixels.GetIntersection({ to.X0 - wider, to.Y0 - wider, to.X1 + wider, to.Y1 + wider });

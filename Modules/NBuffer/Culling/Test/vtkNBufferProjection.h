@@ -5,7 +5,8 @@
  * @brief From a box in the world to a rectangle of pixels and a nearest depth. No OpenGL.
  *
  * Everything is computed in double precision and rounded so that the answer covers whatever the
- * graphics device may draw of the box in single precision (vtkNBufferBoxError.h):
+ * graphics device may draw of the box with its single-precision vertices (vtkNBufferBoxError.h
+ * derives how far that may be):
  *
  *     outside    no fragment of the box can land in the viewport,
  *     crossing   the box reaches the eye or, in view, the near plane: nothing is known about its
@@ -66,7 +67,8 @@ public:
    *
    * If a box reaches behind the eye, only its part inside the four sides of the view counts: a
    * street under the viewer's feet begins some metres ahead on the screen. That part is cut out
-   * first, in about a microsecond. Only what crosses the near plane in view is Crossing.
+   * first, which takes about a microsecond. Only boxes that cross the near plane in view remain
+   * Crossing.
    */
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
 
@@ -76,7 +78,8 @@ public:
     return this->IsOutside(box) ? vtkNBufferPlacement::Outside : this->Project(box, result);
   }
 
-  /// The errors with which a device may draw a triangle of a box that is Inside.
+  /// The errors with which a device may draw a triangle of a box that is Inside, given the result
+  /// of Project() for the box.
   vtkNBufferBoxError::TriangleErrors GetTriangleErrors(const vtkNBufferScreenBox& screen) const;
 
   /// The rows of the matrix from model coordinates to (x, y, order, 1) times w, with x and y in
@@ -85,7 +88,8 @@ public:
 
   /**
    * Whether nothing of a box that is Inside lies beyond a side of the view, behind the eye or
-   * beyond the far plane. If so, every box that it contains is Inside as well.
+   * beyond the far plane. If so, every box that it contains is Inside as well and need not be
+   * tested for that.
    */
   bool IsWhollyInside(const vtkNBufferScreenBox& screen) const
   {

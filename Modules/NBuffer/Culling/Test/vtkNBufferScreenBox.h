@@ -36,7 +36,8 @@ struct vtkNBufferScreenBox
   ///@}
   /// The range R of the box's depths from which that slack was computed (vtkNBufferBoxError.h).
   double DepthRange = 1.0;
-  /// How far a drawn point may be from its exact place, in normalised device coordinates.
+  /// How far a drawn point may be from its exact place along x, y and z, in normalised device
+  /// coordinates.
   glm::dvec3 Slack = glm::dvec3(0.0);
   /// The border, in pixels, that is a part of Slack in x and y (vtkNBufferBoxError.h).
   double Border = 0.0;
@@ -46,7 +47,8 @@ struct vtkNBufferScreenBox
   /// describe only the part of the box between the four sides of the view.
   bool Clipped = false;
 
-  /// The pixels in which the box may own a sample; see vtkNBufferOcclusionTest for the distance.
+  /// The pixels in which the box may own a sample, given how far a sample may be from the middle of
+  /// its pixel in x and in y.
   const vtkNBufferRectangle& GetSampled(double sampleDistance) const
   {
     return sampleDistance > 0.0 ? this->Pixels : this->Middles;

@@ -44,10 +44,12 @@ struct vtkNBufferSliverTest::Sliver
   void Snap(bool isSnappedToGrid);
   ///@}
 
-  /// Whether a sample at most `reach` from a place in x and in y may lie in the snapped triangle.
+  /// Whether a sample, at most `reach` from a place in x and in y, may lie in the triangle as
+  /// snapped.
   bool MayOwn(const glm::dvec2& place, double reach) const;
 
-  /// The nearest depth that such a sample of the triangle may have.
+  /// The nearest depth that a sample of the triangle may have which is at most `reach` from a place
+  /// in x and in y.
   double GetNearest(const glm::dvec2& place, double reach, const Errors& errors) const;
 };
 
@@ -188,7 +190,8 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, std::size_t beg
   // Two corners may err by the diagonal of PositionError each, and 2 sqrt(2) is less than 3.
   const double covered = 3.0 * errors.PositionError + screen.DepthRange / errors.CoveredSlope;
 
-  // Triangles share most of their points with those before them, so that the last ones are kept.
+  // Triangles share most of their points with those next to them in the mesh, so that the last
+  // points are kept.
   std::array<Point, 64> points;
   std::array<unsigned int, 64> numbers;
   numbers.fill(std::numeric_limits<unsigned int>::max());

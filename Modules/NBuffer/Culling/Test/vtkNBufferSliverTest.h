@@ -63,7 +63,8 @@
  * A device also cuts triangles (at the near plane, the sides of the view and clipping planes),
  * which may make them lower than they were. The test does not cover these.
  *
- * Most triangles own no sample or are no slivers, for which the test takes about 30 ns.
+ * Most triangles own no sample or are no slivers. For these the test takes about 30 ns per
+ * triangle.
  */
 #ifndef vtkNBufferSliverTest_h
 #define vtkNBufferSliverTest_h
@@ -115,7 +116,8 @@ private:
     glm::ivec2 Last;
   };
 
-  /// Project a point. A sample that it owns is at most `reach` away from it in x and in y.
+  /// Project a point. `reach` is how far, in x and in y, a sample that a point owns may be from the
+  /// point.
   Point Project(
     const glm::dvec3& place, const vtkNBufferProjection::Rows& toWindow, double reach) const;
 

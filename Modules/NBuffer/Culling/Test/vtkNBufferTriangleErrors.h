@@ -21,7 +21,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTriangleErrors
   double PositionError;
   /// The lower left corner of the viewport in the window, in pixels.
   glm::dvec2 Origin;
-  /// Whether a vertex is snapped to the nearest multiple of vtkNBufferBoxError::GridStep.
+  /// Whether a vertex is known to be snapped to the nearest multiple of
+  /// vtkNBufferBoxError::GridStep.
   bool IsSnappedToGrid;
   /// How far a sample may be outside of the triangle that it belongs to, beyond PositionError.
   double Overshoot;
