@@ -48,7 +48,8 @@ public:
     vtkWeakPointer<vtkRenderWindow> Window;
     int Eye = 0;
     std::unique_ptr<vtkNBufferView> View;
-    /// No vtkWeakPointer: VTK 9.1 does not reset one to a vtkCommand when the command is deleted.
+    /// This is no vtkWeakPointer, because VTK 9.1 does not reset weak pointers to a vtkCommand when
+    /// the command is deleted.
     std::unique_ptr<vtkNBufferFrameGuard, Detach> Guard;
   };
 

@@ -13,7 +13,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Compositing observes the end of the frame, too, with priority 0. Exchanges come before that.
+/// Compositing observes the end of the frame, too, with priority 0. All ranks have to join the
+/// exchanges before that.
 constexpr float BeforeCompositing = 1000.0F;
 }
 
@@ -102,7 +103,8 @@ std::shared_ptr<vtkNBufferSharedDepth> vtkNBufferDepthExchange::GetSharedDepth(
   {
     return nullptr;
   }
-  // An application that removes its own observers may remove this one, even amid a frame.
+  // An application that removes its own observers may remove that of the exchange with them, even
+  // in the middle of a frame.
   if (this->Observe())
   {
     this->Shared->AbandonFrame();

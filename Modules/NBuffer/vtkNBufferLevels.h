@@ -6,8 +6,9 @@
  * and answers queries.
  *
  * The levels that vtkNBufferTexture builds with OpenGL are the same to the bit, and the tests
- * compare them. The culler tests props with the levels of this class. vtkNBufferMath.h defines
- * which squares a texel covers. Values are any floats without NaN.
+ * compare them. The culler tests props with the levels of this class. vtkNBufferMath.h
+ * defines which squares a texel covers. Values are window depths in [0, 1]; any floats without NaN
+ * work.
  *
  * The memory is (number of levels) * (base size) floats and is kept from build to build. Building a
  * level reads the level below once; for images of four million texels and more vtkSMPTools shares
@@ -93,7 +94,8 @@ public:
   }
 
   /**
-   * The extremum over the texels of a cover, whose level must be built.
+   * The extremum over the texels of a cover (vtkNBufferMath::GetCoverOfFour), whose level must be
+   * built.
    */
   float Query(const vtkNBufferCover& cover) const
   {

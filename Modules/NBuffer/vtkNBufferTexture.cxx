@@ -117,7 +117,8 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
 {
   if (this->Window != window)
   {
-    // This releases the objects of another window, whose context mostly stays current then.
+    // This releases the objects of another window. Most window classes then leave that window's
+    // context current.
     this->ResourceCallback->RegisterGraphicsResources(window);
     this->Window = window;
     window->MakeCurrent();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferTuning
- * @brief Constants of vtkNBufferCuller that measurements vary and applications leave alone.
+ * @brief The constants of vtkNBufferCuller that measurements and tests vary and applications leave
+ * alone.
  *
  * No value of any of them changes the image. The study (docs/accuracy-settings.md) found the
  * defaults to be as fast as any other value on its scenes, or faster.

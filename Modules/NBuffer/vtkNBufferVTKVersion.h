@@ -33,7 +33,8 @@
 // vtkProp3D::CoordinateSystem: actors that follow a VR device or the physical world.
 #define VTKNBUFFER_HAS_COORDINATE_SYSTEMS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 2)
 
-// The mapper of composite data whose blocks have attributes, and the header that declares it.
+// The mapper that applications use for composite data whose blocks have attributes, and the header
+// that declares it.
 #define VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3)
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
 #define VTKNBUFFER_COMPOSITE_MAPPER vtkCompositePolyDataMapper2
@@ -46,7 +47,8 @@
 // vtkCompositeDataDisplayAttributes chooses the scalars of a block, their range and lookup table.
 #define VTKNBUFFER_HAS_BLOCK_SCALARS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 3)
 
-// vtkOpenGLBatchedPolyDataMapper draws the blocks of composite data by a list of flat indices.
+// vtkOpenGLBatchedPolyDataMapper draws the blocks of composite data in the order of a list of flat
+// indices.
 #define VTKNBUFFER_HAS_BATCHED_MAPPER (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4)
 
 // The geometry shader of surfaces with visible edges leaves their triangles as they are. Older
@@ -56,7 +58,8 @@
 // vtkAlgorithm::ABORTED(): a filter whose last run did not come to its end.
 #define VTKNBUFFER_HAS_ABORTED_FILTERS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 3)
 
-// vtkRenderWindow::Initialize() and GetInitialized(). Before, Render() makes the context.
+// vtkRenderWindow::Initialize() and GetInitialized(). In older versions the first Render() makes
+// the context.
 #define VTKNBUFFER_HAS_INITIALIZE (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4)
 
 // vtkOpenGLResourceFreeCallback.h is installed; see vtkNBufferResourceCallback.h.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferBackend
- * @brief Builds the levels of the depth of the framebuffer that is being drawn, in host memory.
+ * @brief Builds the levels of the depth of the framebuffer that is being drawn, and returns them in
+ * host memory.
  *
  * There are two paths, which build the same levels, to the bit. On the OpenGL path, a fragment pass
  * reduces the depth to level 0, which is then read back. On the CPU path, all rows of depth in
@@ -13,7 +14,8 @@
  * Which path is faster depends on the machine. Software renderers reduce on the same processor, and
  * slower than the host does (docs/benchmarks.md), so Auto chooses the CPU there without a trial.
  * Elsewhere Auto measures both paths in real frames, once per graphics context: the first build, by
- * OpenGL, warms the passes up; the second, by OpenGL, and the third, by the CPU, are measured.
+ * OpenGL, warms the passes up; the second, by OpenGL, and the third, by the CPU, are measured. Auto
+ * then stays with the faster path.
  */
 #ifndef vtkNBufferBackend_h
 #define vtkNBufferBackend_h
@@ -51,7 +53,8 @@ public:
   {
     vtkOpenGLRenderWindow* Window;
     const vtkNBufferDepthSource& Source; ///< The framebuffer that is bound for drawing.
-    /// The rows in which anything may have been drawn. The CPU path reads no others.
+    /// The rows of the viewport in which anything may have been drawn. The CPU path reads no
+    /// others: their pixels count as background.
     const vtkNBufferRows& Rows;
     int Factor;         ///< Side in pixels of a square of level 0: 1, 2, 4 or 8.
     int NumberOfLevels; ///< How many levels the test needs.
@@ -61,9 +64,10 @@ public:
 
   /**
    * Build levels of the farthest depths over the viewport of the source, as orders
-   * (vtkNBufferDepthConvention.h). Returns None on success. On failure returns NoFloatTextures or
-   * NoDepth, with cause and remedy in `why`, and leaves no levels. If `wanted` is Auto and the
-   * OpenGL path fails, this context uses the CPU path from now on.
+   * (vtkNBufferDepthConvention.h). Returns None on success.
+   * On failure returns NoFloatTextures or NoDepth, with cause and remedy in `why`, and leaves no
+   * levels. If `wanted` is Auto and the OpenGL path fails, the CPU path is used instead, now and
+   * later in this context.
    */
   vtkNBufferDecision Build(Kind wanted, const Job& job, std::string& why);
 

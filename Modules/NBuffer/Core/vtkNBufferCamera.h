@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferCamera
- * @brief The camera of a renderer, for the eye that is being drawn.
+ * @brief The camera of a renderer, for the eye that is being drawn, as the culler and the shadow
+ * pass use it.
  *
  * vtkCamera::GetCompositeProjectionTransformMatrix() leaves out the shear that the eyes of a stereo
  * pair have. VTK's mappers multiply the projection matrix by the model-view matrix instead, and so

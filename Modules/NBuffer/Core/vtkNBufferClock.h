@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferClock
- * @brief A stopwatch for the times in the statistics, which starts when it is constructed.
+ * @brief A stopwatch in milliseconds for the times in the statistics. It starts when it is
+ * constructed.
  */
 #ifndef vtkNBufferClock_h
 #define vtkNBufferClock_h

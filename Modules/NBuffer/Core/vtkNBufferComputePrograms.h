@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferComputePrograms.h
- * @brief Compiles compute shaders, which VTK's shader cache cannot, and restores their state.
+ * @brief Compiles compute shaders, and restores the state that they need. VTK's shader cache has no
+ * compute shaders.
  */
 #ifndef vtkNBufferComputePrograms_h
 #define vtkNBufferComputePrograms_h
@@ -32,10 +33,11 @@ public:
   static std::string WhyNot();
 
   /**
-   * Make a program the current one and return its name. `definitions` replace "//VTK::NBuffer::Dec"
-   * in the shader's text, vtkNBufferShared.h "//VTK::NBuffer::Shared" and vtkNBufferQuery.glsl
-   * "//VTK::NBuffer::Query". Returns 0, with the cause in `why`, if the program does not compile.
-   * To be used within a ScopedPass or ScopedCompute.
+   * Make a program the current one and return its name. `definitions` replace
+   * "//VTK::NBuffer::Dec" in the shader's text, vtkNBufferShared.h "//VTK::NBuffer::Shared" and
+   * vtkNBufferQuery.glsl "//VTK::NBuffer::Query".
+   * Returns 0, with the cause in `why`, if the program does not compile. To be used within a
+   * ScopedPass or a ScopedCompute.
    */
   unsigned int Use(std::string& why, const std::string& definitions = {});
 

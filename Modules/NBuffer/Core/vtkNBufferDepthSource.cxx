@@ -19,11 +19,13 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
-/// Set the members that describe a texture. Returns false if its target is another one.
+/// Set the members that describe a texture with this target. Returns false if the texture has
+/// another target.
 bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& source)
 {
   const int bound = vtkNBufferGL::GetInteger(bindingName);
-  // OpenGL 3.2 does not say what target a texture has, but binding it to another is an error.
+  // OpenGL 3.2 cannot be queried for the target of a texture, but binding the texture to another
+  // target is an error.
   glBindTexture(target, source.DepthName);
   const bool isTarget = glGetError() == GL_NO_ERROR;
   if (isTarget)
@@ -152,8 +154,8 @@ void ConvertNormalised(float* values, std::size_t count, int depthBits, vtkNBuff
   constexpr float unit = static_cast<float>(1.0 / NBUFFER_DEPTH32_SCALE);
   if (depthBits == 24)
   {
-    // The upper 24 bits are the depth, whatever the driver filled the lower ones with. This is how
-    // Mesa's llvmpipe samples, too.
+    // The upper 24 bits are the depth, whatever the driver filled the lower ones with. This is
+    // how Mesa's llvmpipe samples, too.
     ConvertInPlace(values, count,
       [](std::uint32_t bits)
       {

@@ -8,7 +8,8 @@
  * framebuffer passes), so every property is queried from OpenGL. No function changes the GL state.
  *
  * The window's own framebuffer can be used, and so can framebuffer objects whose depth attachment
- * is a renderbuffer, a GL_TEXTURE_2D or a GL_TEXTURE_2D_MULTISAMPLE. Others cannot.
+ * is a renderbuffer, a GL_TEXTURE_2D or a GL_TEXTURE_2D_MULTISAMPLE. Layered, cube and array
+ * attachments cannot.
  */
 #ifndef vtkNBufferDepthSource_h
 #define vtkNBufferDepthSource_h
@@ -49,7 +50,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   /**
    * Query the framebuffer that is bound for drawing and set all members. The window's context must
    * be current. Returns false, with the cause and a remedy in `why`, if there is no usable depth
-   * buffer; all members then have their defaults. Costs about twenty glGet calls.
+   * buffer; all members then have their defaults. Cost: about twenty glGet calls; it does not wait
+   * for the device.
    */
   bool Inspect(vtkOpenGLRenderWindow* window, std::string& why);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferDepthTiles
- * @brief Which tiles of a depth image have been read back. No OpenGL.
+ * @brief Which tiles of a depth image have been read back, and which ones still have to be. No
+ * OpenGL.
  *
  * The pixel test looks at the pixels of few boxes. On a graphics device reading a pixel back takes
  * far longer than reducing it there, so that only the tiles of 64 x 64 pixels that these boxes

@@ -62,7 +62,8 @@ bool HasFaintTextures(vtkProperty* property)
 }
 
 /// Whether an actor that is opaque (vtkActor::HasOpaqueGeometry()), which may be by force, has
-/// colors with an alpha below 1. VTK ignores back faces and the color of selected cells.
+/// colors with an alpha below 1. VTK does not look at back faces, and at the color of selected
+/// cells.
 bool HasFaintColors(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
@@ -119,7 +120,8 @@ bool DrawsFaintSplats(vtkActor* actor)
   return mapper->GetEmissive() || hasText(mapper->GetOpacityArray()) || isFaint;
 }
 
-/// Whether a mapper draws glyphs of composite data whose blocks have opacities, which VTK ignores.
+/// Whether a mapper draws glyphs of composite data with blocks of an opacity, which VTK does not
+/// look at.
 bool DrawsFaintGlyphs(vtkMapper* mapper)
 {
   auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
@@ -134,7 +136,8 @@ bool IsFadingFloor(vtkActor* actor)
   return skybox && skybox->GetProjection() == vtkSkybox::Floor;
 }
 
-/// Whether a mapper draws labels, the alpha of a volume, or translucent actors of a graph.
+/// Whether a mapper draws labels, colors with the alpha of a volume, or translucent actors of a
+/// graph.
 bool Blends(vtkMapper* mapper)
 {
   const char* const names[] = { "vtkLabeledContourMapper", "vtkFastLabeledDataMapper",

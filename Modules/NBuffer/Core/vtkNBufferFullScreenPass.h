@@ -25,8 +25,9 @@ class vtkShaderProgram;
 namespace vtkNBufferGL
 {
 /**
- * Make a program of the window's shader cache current. The first call compiles it and sets
- * `program`. Returns nullptr, and sets `why` to `failure`, if it does not compile.
+ * Make a program of the window's shader cache the current one. The first call compiles it from the
+ * two texts and sets `program`. Returns nullptr, and sets `why` to `failure`, if it does not
+ * compile on this driver.
  */
 VTKNBUFFER_EXPORT vtkShaderProgram* UseProgram(vtkOpenGLRenderWindow* window,
   vtkSmartPointer<vtkShaderProgram>& program, const char* vertexShader,
@@ -45,7 +46,8 @@ VTKNBUFFER_EXPORT vtkShaderProgram* UseProgram(vtkOpenGLRenderWindow* window,
 class VTKNBUFFER_EXPORT FullScreenPass
 {
 public:
-  /// The fragment shader, and what is reported if it does not compile. Both must outlive the pass.
+  /// The text of the fragment shader, and what is reported (cause and remedy) if it does not
+  /// compile. Both must outlive the pass.
   FullScreenPass(const char* fragmentShader, const char* failure)
     : FragmentShader(fragmentShader)
     , Failure(failure)

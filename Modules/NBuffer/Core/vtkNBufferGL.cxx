@@ -137,7 +137,8 @@ bool CoversTouchedPixels(vtkOpenGLRenderWindow* window)
   constexpr std::pair<const char*, GLenum> conservative[] = {
     { "GL_NV_conservative_raster", 0x9346 }, { "GL_INTEL_conservative_rasterization", 0x83FE }
   };
-  // Looking for extensions takes 0.07 ms, so that it is done once for each context.
+  // Looking for extensions takes 0.07 ms, so that it is done only where the context is another one
+  // than in the last call.
   static thread_local vtkMTimeType contextTime = 0;
   static thread_local std::vector<GLenum> capabilities;
   if (contextTime != window->GetContextCreationTime())

@@ -47,7 +47,8 @@ VTKNBUFFER_EXPORT bool IsCountingSamples();
 /// not, `why` receives the cause and a remedy.
 VTKNBUFFER_EXPORT bool CheckVersion(std::string& why);
 
-/// The name of the software renderer (llvmpipe, ...) behind the current context, or nullptr.
+/// The name of the software renderer (llvmpipe, ...) behind the current context; nullptr if the
+/// context has a graphics device.
 VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
 
 /// Whether reading the depth leaves the colours as they are, as OpenGL promises. Mesa's softpipe
@@ -60,7 +61,8 @@ VTKNBUFFER_EXPORT bool KeepsColorsWhenRead();
 /// of a triangle and clamps each of them to [0, 1], which bends triangles that reach farther.
 VTKNBUFFER_EXPORT bool OffsetsBeyondFarPlane();
 
-/// Whether shaders round doubles as OpenGL promises (GLSL 4.60, section 4.7.1). softpipe does not.
+/// Whether shaders compute with doubles as OpenGL promises (GLSL 4.60, section 4.7.1). Mesa's
+/// softpipe rounds some results wrongly.
 VTKNBUFFER_EXPORT bool ComputesDoubles();
 
 /// Whether the current context, that of the window, draws a fragment in each pixel that a triangle
@@ -72,14 +74,16 @@ VTKNBUFFER_EXPORT bool CoversTouchedPixels(vtkOpenGLRenderWindow* window);
 /// 4 (OpenGL requires no less) to 8 (a finer grid gains nothing).
 VTKNBUFFER_EXPORT int GetSubpixelBits();
 
-/// The places of samples in a pixel, in [0, 1] from its lower left corner.
+/// The places of samples in a pixel, in [0, 1] from its lower left corner. A single sample is in
+/// the middle.
 using SamplePlaces = std::vector<std::array<double, 2>>;
 
 /// The places of the samples of the framebuffer that is bound for drawing.
 VTKNBUFFER_EXPORT SamplePlaces GetSamplePlaces();
 
 /// Whether the current context's renderer may draw samples of a triangle of almost no height nearer
-/// than all of its corners (vtkNBufferSliverTest). Mesa's llvmpipe (22.3, 25.0) does.
+/// than all of its corners (vtkNBufferSliverTest). Mesa's llvmpipe (22.3 and 25.0) does, and
+/// graphics devices do not.
 VTKNBUFFER_EXPORT bool DrawsStraySamples();
 
 /// Whether the current context's renderer draws inside a scissor box only, where a pixel has
@@ -135,14 +139,16 @@ public:
   ScopedFramebuffers() { this->SaveFramebuffers(); }
 };
 
-/// While it lives, glReadPixels() packs rows of `readFramebuffer` into host memory or `packBuffer`.
+/// While it lives, glReadPixels() reads `readFramebuffer` into host memory or into `packBuffer`,
+/// with rows tightly packed.
 class VTKNBUFFER_EXPORT ScopedReadback : public Scope
 {
 public:
   explicit ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer = 0);
 };
 
-/// While it lives, textures receive texels from host memory or `unpackBuffer`, in packed rows.
+/// While it lives, textures receive texels from host memory or from `unpackBuffer`, with rows
+/// tightly packed.
 class VTKNBUFFER_EXPORT ScopedUpload : public Scope
 {
 public:

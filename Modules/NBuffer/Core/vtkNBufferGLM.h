@@ -90,7 +90,8 @@ inline glm::dvec3 Normalize(const glm::dvec3& x)
   return length != 0.0 ? x / length : x;
 }
 
-/// Matrix times vector. The products of a row are added from left to right, as by vtkMatrix4x4.
+/// Matrix times vector. The four products of a row are added from left to right, as vtkMatrix4x4
+/// adds them.
 inline glm::dvec4 Multiply(const glm::dmat4& matrix, const glm::dvec4& x)
 {
   return matrix[0] * x[0] + matrix[1] * x[1] + matrix[2] * x[2] + matrix[3] * x[3];

@@ -16,7 +16,8 @@ struct Functions
   void (*Delete)(GLuint*);
 };
 
-/// OpenGL's functions for each ObjectType, wrapped: they have no address before it is loaded.
+/// The functions of OpenGL for each ObjectType. They are wrapped because their addresses are known
+/// only after OpenGL has been loaded.
 constexpr Functions FunctionsOf[] = {
   { [](GLuint* name) { glGenBuffers(1, name); }, [](GLuint* name) { glDeleteBuffers(1, name); } },
   { [](GLuint* name) { glGenFramebuffers(1, name); },

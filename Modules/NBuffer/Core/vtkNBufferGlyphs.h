@@ -46,7 +46,8 @@ VTKNBUFFER_EXPORT std::vector<int> GetSources(vtkGlyph3DMapper* mapper);
  * those of the actor, row by row, in the order of the points. Their elements are floats. Instances
  * that the mask leaves out are missing, and so are those that nothing can be seen of: those with a
  * number that is not finite, and those with two or three scales of 0, which are points or lines. If
- * an array has a wrong number of components, VTK draws nothing, and the result is empty.
+ * an array has a wrong number of components, VTK reports it and draws nothing, and the result is
+ * empty.
  */
 VTKNBUFFER_EXPORT std::vector<std::array<double, 16>> GetMatrices(vtkGlyph3DMapper* mapper);
 }

@@ -59,7 +59,8 @@ bool IsListed(vtkNBufferKnownClasses::List list, vtkObjectBase* object)
 
 namespace vtkNBufferKnownClasses
 {
-/// Whether a mapper of polydata draws in several pieces. Its input is one of them.
+/// Whether a mapper of polydata draws in several pieces. Its bounds and its input are those of one
+/// piece.
 static bool DrawsInPieces(vtkMapper* mapper)
 {
   return static_cast<vtkPolyDataMapper*>(mapper)->GetNumberOfSubPieces() > 1;

@@ -35,7 +35,8 @@ enum List
 /// nothing, if the name is null or empty.
 VTKNBUFFER_EXPORT bool Add(List list, const char* name);
 
-/// A number that grows with each new name, after which all props have to be read again.
+/// A number that grows with each new name. Props that were read before have to be read again
+/// (vtkNBufferPropWatch::GetGlobalState()).
 VTKNBUFFER_EXPORT int GetVersion();
 
 /// Whether a mapper is known to draw the polygons of its input. Some subclasses of
@@ -43,7 +44,8 @@ VTKNBUFFER_EXPORT int GetVersion();
 /// draws in several pieces has only one of them as its input.
 bool DrawsPolygons(vtkMapper* mapper);
 
-/// Whether a pass is of a known class, by its name.
+/// Whether a pass is of a known class. It looks up a name, and is meant for the few passes of a
+/// renderer.
 VTKNBUFFER_EXPORT bool IsKnown(vtkRenderPass* pass);
 
 /// The kinds of mappers whose drawing is known.
@@ -59,7 +61,8 @@ enum class MapperKind
 /**
  * The kind of a mapper, and the prop if it is a plain actor, otherwise nullptr. Subclasses of VTK's
  * classes may draw anything. They are Other and nullptr, unless the application vouches for them.
- * The names of subclasses are looked up, which is too slow for each prop in each frame.
+ * The names of subclasses are looked up, so that these functions are meant for props that are read
+ * anew, and not for each prop in each frame.
  */
 VTKNBUFFER_EXPORT MapperKind GetKind(vtkMapper* mapper);
 VTKNBUFFER_EXPORT vtkActor* GetPlainActor(vtkProp* prop);

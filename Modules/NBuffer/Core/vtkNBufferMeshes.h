@@ -52,7 +52,8 @@ public:
     ///@}
   };
 
-  /// Count a frame. In every 256th frame, release what is unused in `kept`.
+  /// Count a frame. In every 256th frame, release the meshes in `kept` that have not been requested
+  /// for more than 256 frames.
   void BeginFrame(std::vector<OfProp>& kept);
 
   /// Forget the polydata whose meshes have been released.

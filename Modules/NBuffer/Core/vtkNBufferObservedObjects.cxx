@@ -21,7 +21,8 @@ struct vtkNBufferObservedObjects::Record
   std::unordered_map<vtkObject*, vtkCommand*> Commands;
 };
 
-/// Observes one object, which alone refers to it: it is destroyed when the observer is removed.
+/// Observes one object. Only that object refers to the command, so that the command is destroyed
+/// when its observer is removed.
 class vtkNBufferObservedObjects::Command : public vtkCommand
 {
 public:

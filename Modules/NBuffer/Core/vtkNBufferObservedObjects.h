@@ -9,12 +9,14 @@
  * observer again, so that an object that keeps changing costs nothing more.
  *
  * An application may remove the observer with RemoveAllObservers(). The command notices that it is
- * destroyed while its object lives, and TakeLoss() then returns true. (So it does in VTK 9.1 where
- * an object is deleted, which still has a reference when its observers are destroyed.)
+ * destroyed while its object lives, and TakeLoss() then returns true. (In VTK 9.1 an object that is
+ * being deleted still has a reference when its observers are destroyed, so that TakeLoss() returns
+ * true then, too.)
  *
  * An observer takes about 300 bytes and half a microsecond to add, and makes a call of Modified()
  * take 34 ns instead of 6. Add(), TakeChange() and the destructor belong to one thread; Modified()
- * may be called in any. No other thread may modify an object while it is added.
+ * may be called in any. As always in VTK, no other thread may modify an object while an observer is
+ * added to it.
  */
 #ifndef vtkNBufferObservedObjects_h
 #define vtkNBufferObservedObjects_h
@@ -31,7 +33,8 @@ class vtkObject;
 class VTKNBUFFER_EXPORT vtkNBufferObservedObjects
 {
 public:
-  /// How many objects are observed at most. More would not be worth their memory.
+  /// The largest number of objects that are observed at a time. More observers would save less time
+  /// than their memory is worth.
   static constexpr std::size_t MaximumSize = 1 << 18;
 
   vtkNBufferObservedObjects();
@@ -49,13 +52,15 @@ public:
   /// not known from which object, so all of them must be added again.
   bool TakeLoss();
 
-  /// The number of objects that are observed and have not been modified or deleted since.
+  /// The number of objects that are observed now. Objects that have been modified or deleted do not
+  /// count.
   std::size_t GetSize() const;
 
 private:
   class Command;
   struct Record;
-  /// The commands share this, because they may outlive this object while an event is invoked.
+  /// The commands share this record, because they may outlive this object while an event is
+  /// invoked.
   std::shared_ptr<Record> Shared;
 };
 

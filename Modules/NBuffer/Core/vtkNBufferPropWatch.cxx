@@ -214,7 +214,8 @@ bool vtkNBufferPropWatch::TrackStamps(vtkMapper* mapper, vtkPolyData* input)
   {
     return false;
   }
-  // A lookup table that is missing is made when there are scalars, which shows in the data.
+  // A lookup table that is missing now is made when there are scalars to map, and such a change
+  // shows in the data.
   vtkScalarsToColors* table = vtkNBufferProtectedMembers::GetLookupTable(mapper);
   this->Count = 0;
   vtkPoints* points = input->GetPoints();
@@ -250,7 +251,8 @@ bool vtkNBufferPropWatch::ActorHasChanged() const
 
 bool vtkNBufferPropWatch::ObjectsHaveChanged() const
 {
-  // In this order: an object is known to be alive if the objects before it have not changed.
+  // The order matters: an object is known to be alive only if the objects before it have not
+  // changed.
   for (int i = 0; i < this->Count; ++i)
   {
     if (GetOwnTime(this->Objects[i]) > this->Time)

@@ -31,7 +31,8 @@
  * gives the same time as these functions, and otherwise does not use it. An object is listed after
  * its owner: it is alive if its owner has not changed. Two objects are not in the list and are
  * compared separately: the shader property, which VTK may create later without marking its prop as
- * modified, and the user's transform, which may concatenate any number of others.
+ * modified, and the user's transform, which importers give to each actor and which may concatenate
+ * any number of others.
  *
  * A filter may run again without a newer time because another time step is requested, because its
  * last run was aborted, or because its data was released. HasChanged() is true then.
@@ -124,7 +125,8 @@ public:
   /**
    * The newest time of everything that the prop draws, as Track() found it: the actor, its
    * property, texture, user's transform and shader property, the mapper, its clipping planes and
-   * data, and the blocks if Track() had to visit them; 0 if the prop is no plain actor.
+   * data, and the blocks of composite data if Track() had to visit them. It is 0 for a prop that is
+   * no plain actor.
    */
   vtkMTimeType GetTime() const { return this->Time; }
 

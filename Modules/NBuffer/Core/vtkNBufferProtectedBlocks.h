@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferProtectedBlocks.h
- * @brief The protected members of the mapper that draws blocks (see vtkNBufferProtectedMembers.h).
+ * @brief The protected members of the mapper that draws the blocks of composite data, and nothing
+ * else. See vtkNBufferProtectedMembers.h.
  *
  * vtkCompositePolyDataMapper has one such mapper for all blocks with arrays of the same kinds. Its
  * class differs between versions of VTK, but each of these classes draws the blocks in the order of

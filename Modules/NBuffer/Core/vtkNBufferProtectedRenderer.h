@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferProtectedRenderer.h
- * @brief The protected functions of vtkRenderer (see vtkNBufferProtectedMembers.h).
+ * @brief The protected functions of vtkRenderer that this module calls (see
+ * vtkNBufferProtectedMembers.h).
  */
 #ifndef vtkNBufferProtectedRenderer_h
 #define vtkNBufferProtectedRenderer_h

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferResourceCallback.h
- * @brief Declares vtkOpenGLResourceFreeCallback, also where VTK does not install its header.
+ * @brief Declares vtkOpenGLResourceFreeCallback, also for versions of VTK that do not install its
+ * header.
  *
  * A render window calls this object before the window's context is destroyed, so that the owner can
- * delete its OpenGL objects. It is part of VTK's library in every version, but VTK installs its
- * header only since 9.5. The declaration for older versions must keep names, members and order.
+ * delete its OpenGL objects. The class is part of VTK's library in every version, but VTK installs
+ * its header only since 9.5. The declaration for older versions must keep the names, the members
+ * and their order.
  */
 #ifndef vtkNBufferResourceCallback_h
 #define vtkNBufferResourceCallback_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferStandIn
- * @brief Base class of the props that vtkNBufferCuller puts into a renderer's list for others.
+ * @brief Base class of the props that vtkNBufferCuller puts into a renderer's list in the place of
+ * the renderer's own props.
  *
  * A renderer and its passes treat a stand-in as any other prop. Render passes speak to props
  * through vtkProp::GetPropertyKeys(): vtkOpenGLRenderPass::RenderPasses() lets a pass change the
@@ -10,7 +11,8 @@
  * while depth peeling draws. A ForwardedKeys object copies both from a stand-in to a prop that it
  * represents, for the time in which that prop is drawn.
  *
- * Code outside of the culler recognises stand-ins by this class.
+ * Code outside the culler recognises stand-ins by this class and needs to know nothing else about
+ * the culler.
  */
 #ifndef vtkNBufferStandIn_h
 #define vtkNBufferStandIn_h
@@ -29,7 +31,8 @@ class vtkNBufferStandIn : public vtkProp
 public:
   vtkTypeMacro(vtkNBufferStandIn, vtkProp);
 
-  /// Draws a prop, some of its units or nothing, by `drawWhole`. Returns the number of props drawn.
+  /// Draws a prop, or some of its units, by calling `drawWhole`; or draws nothing. Returns the
+  /// number of props drawn.
   using Drawer = std::function<int(const std::function<int()>& drawWhole)>;
 
 protected:

@@ -87,7 +87,8 @@ bool HasLines(vtkDataObject* data, bool orVertices)
     });
 }
 
-/// Add parts for the data or, if it is composite, its blocks, which inherit attributes of `part`.
+/// Add a part for the data or, if it is composite, for each block. `part` has the attributes that
+/// these inherit.
 void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data,
   vtkNBufferSurface::Part part, std::vector<vtkNBufferSurface::Part>& parts)
 {

@@ -67,10 +67,12 @@ public:
   static bool HasOtherCoordinates(vtkActor* actor);
   ///@}
 
-  /// The input of a plain mapper if it is one vtkPolyData, and no subclass; otherwise nullptr.
+  /// The input of a plain mapper if it is a single vtkPolyData, and no subclass, which the mapper
+  /// draws as it is; otherwise nullptr.
   static vtkPolyData* GetOnlyPolyData(vtkMapper* mapper);
 
-  /// The mapper that draws a mesh: this one, or that of a vtkDataSetMapper; nullptr for other data.
+  /// The mapper that draws a mesh for this one, which is another one for vtkDataSetMapper; nullptr
+  /// for composite data and glyphs.
   static vtkOpenGLPolyDataMapper* GetDrawingMapper(vtkMapper* mapper);
 
   /// The textures of an actor and of its property, which is created if it is missing.
@@ -83,7 +85,8 @@ public:
   ///@{
   /**
    * How far outside its surface a plain actor draws, in pixels: half the width of its lines or
-   * points plus 1 (GetMarginOfLines()), or 0 if it has neither.
+   * points, plus 1 (GetMarginOfLines()), or 0 if it surely has neither. DrawsLines(): whether it
+   * has lines.
    */
   static double GetMargin(vtkActor* actor);
   static double GetMarginOfLines(vtkProperty* property);
@@ -109,8 +112,8 @@ public:
   static bool HasOffset(vtkActor* actor);
   static bool HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints);
 
-  /// A clipping plane in world coordinates, which keeps the side a x + b y + c z + d >= 0. Of more
-  /// than six planes of a mapper VTK uses the first six.
+  /// A clipping plane a x + b y + c z + d >= 0 in world coordinates: it keeps the side to which its
+  /// normal (a, b, c) points. Of more than six planes of a mapper VTK uses the first six.
   using Plane = std::array<double, 4>;
   static std::vector<Plane> GetClippingPlanes(vtkMapper* mapper);
 
@@ -134,7 +137,8 @@ public:
   /// As GetParts(), but returns false if a surface would have to be extracted.
   static bool GetPartsAtHand(vtkActor* actor, vtkMatrix4x4* toWorld, std::vector<Part>& parts);
 
-  /// The triangles of a polydata: of its polygons, then of its strips, made by VTK's own functions.
+  /// The triangles of a polydata: those of its polygons, then those of its strips, made by the
+  /// functions that VTK's mappers use.
   static vtkNBufferMesh GetMesh(vtkPolyData* data);
 
 private:

@@ -22,8 +22,9 @@ namespace
 {
 using CompositeMapper = VTKNBUFFER_COMPOSITE_MAPPER;
 
-/// The range of one component as vtkDataArray::GetRange() gives it. That function takes some
-/// microseconds, which for thousands of small meshes is most of a first frame.
+/// The range of one component as vtkDataArray::GetRange() gives it. That function caches its result
+/// behind some microseconds of dispatch, which for thousands of small meshes is most of a first
+/// frame.
 void GetRange(vtkDataArray* points, int component, double range[2])
 {
   constexpr vtkIdType few = 1024;

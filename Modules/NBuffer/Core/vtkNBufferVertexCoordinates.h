@@ -28,7 +28,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferVertexCoordinates
     vtkMapper* mapper, const vtkBoundingBox* all = nullptr);
 
   /// Those of points between `low` and `high` if they are all points of a mapper. This is an
-  /// estimate for blocks, of which VTK moves all or none. nullptr is a mapper with VTK's defaults.
+  /// estimate for blocks, of which VTK moves all or none. `mapper` may be nullptr: one with VTK's
+  /// defaults.
   static vtkNBufferVertexCoordinates Estimate(
     vtkMapper* mapper, const glm::dvec3& low, const glm::dvec3& high);
 
