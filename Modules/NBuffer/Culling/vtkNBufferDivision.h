@@ -50,7 +50,8 @@ public:
   /// Begin a frame, after the candidates have been brought up to date.
   void Update(vtkRenderer* renderer, const vtkNBufferSettings& settings);
 
-  /// Set the view of the frame. To be called again for another depth format.
+  /// Set the view of the frame. To be called again if the framebuffer turns out to have another
+  /// depth format.
   void SetView(const vtkNBufferViewSetup& view);
 
   /// Decide whether units are drawn in this frame, find those that are drawn first, and add all
@@ -79,7 +80,8 @@ public:
   /// Whether a prop has to be drawn by Draw(), so that it has a proxy in the renderer's list.
   bool Draws(int place);
 
-  /// Record that the renderer's list had no room for the proxy of an opaque prop of Draw().
+  /// Record that an opaque prop that Draw() has to draw is not in the renderer's list, because the
+  /// list had no room for its proxy.
   void Postpone(int place) { this->Postponed = place; }
 
   /// The place of the prop given to Postpone(), or -1.
@@ -90,7 +92,8 @@ public:
 
   /// Test the units of the props that have been drawn, and of those in `heldBack`. Removes props
   /// without visible units from `heldBack`. Returns whether all visible units of the props that
-  /// have been drawn are fresh now; more than `limit` of one prop may wait for the next test.
+  /// have been drawn are fresh now; those of a prop may be left to the next test if they are more
+  /// than `limit`.
   bool Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack, int limit);
 
   /// Test the units of the translucent props that are not hidden as a whole and for which

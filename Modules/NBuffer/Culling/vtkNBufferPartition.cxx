@@ -214,7 +214,7 @@ std::vector<int> vtkNBufferPartition::TestAgain()
   {
     for (int i : *places)
     {
-      this->Props.GetScreen(i); // Nodes above it are not tested again.
+      this->Props.GetScreen(i); // Computes it if that was deferred: nodes are not tested again.
       this->Props.GetState(i).Clearance = 0.0F;
     }
   }

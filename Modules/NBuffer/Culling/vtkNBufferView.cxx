@@ -276,10 +276,9 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, vtkNBufferDepthTest& test
 {
   const bool isRepeated = this->Statistics.Rounds > 0; // Repeat() has drawn what was drawn before.
   int round = this->Statistics.Rounds + 1;
-  std::vector<int> left =
-    isRepeated ? this->Partition.TestAgain() : std::vector<int>(this->Partition.GetHeldBack());
+  std::vector<int> left = isRepeated ? this->Partition.TestAgain() : this->Partition.GetHeldBack();
   std::vector<int> untested = // but drawn
-    isRepeated ? std::vector<int>() : std::vector<int>(this->Partition.GetKept());
+    isRepeated ? std::vector<int>() : this->Partition.GetKept();
   const auto draw = [&](std::vector<int> props)
   {
     // Among ranks they are not tested and count as visible in the next frame, in which IsNew()

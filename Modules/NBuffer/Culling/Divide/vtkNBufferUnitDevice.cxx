@@ -102,11 +102,11 @@ bool vtkNBufferUnitDevice::Begin(vtkOpenGLRenderWindow* window, vtkNBufferBacken
     this->Tests.Delete(vtkNBufferGL::Context::Gone);
     this->Lists.Delete(vtkNBufferGL::Context::Gone);
     this->ContextTime = window->GetContextCreationTime();
+    this->IsSoftware = vtkNBufferGL::GetSoftwareRenderer() != nullptr;
     this->Prepared = this->Checked = false;
     this->Right = true;
   }
-  if (backend == vtkNBufferBackend::CPU ||
-    (backend == vtkNBufferBackend::Auto && vtkNBufferGL::GetSoftwareRenderer()))
+  if (backend == vtkNBufferBackend::CPU || (backend == vtkNBufferBackend::Auto && this->IsSoftware))
   {
     return false;
   }

@@ -155,6 +155,7 @@ private:
   vtkNBufferGL::ComputePrograms Tests;
   vtkNBufferGL::ComputePrograms Lists;
   vtkMTimeType ContextTime = 0; ///< The context of which the members below tell.
+  bool IsSoftware = false;      ///< Found out once, so that Begin() calls no OpenGL later.
   bool Prepared = false;        ///< Whether Error has been found.
   std::string Error;
   std::size_t LargestBuffer = 0; ///< In bytes.

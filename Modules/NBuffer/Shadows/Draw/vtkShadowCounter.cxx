@@ -247,8 +247,11 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
         }
       }
       SetBox(everywhere, view.Viewport);
-      glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, places.data(),
-        static_cast<GLsizei>(counts.size()));
+      if (!counts.empty())
+      {
+        glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, places.data(),
+          static_cast<GLsizei>(counts.size()));
+      }
     }
   };
   drawAll();
